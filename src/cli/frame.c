@@ -168,7 +168,8 @@ static struct lighting_options frame_lighting(const struct work *work)
                                       .numbers = options->probe,
                                       .stop = work->stop,
                                       .keep = work_keeps(work),
-                                      .kept = &work->kept };
+                                      .kept = &work->kept,
+                                      .root = options->frames.animated };
 }
 
 static struct world *frame_world(struct work *work, const struct scene *scene)
@@ -202,9 +203,11 @@ static bool fingerprints_same(struct fingerprint a, struct fingerprint b)
            a.lights == b.lights && a.surroundings == b.surroundings;
 }
 
-/* Begins that of frame `number`, if it shows the same things. Says nothing:
- * when that frame is drawn it will. */
-static void root_try(struct work *work, const struct scene *scene, int number)
+/* Begins that of frame `number`, if it shows the same things, or is about the
+ * same place where something moves. Says nothing: when that frame is drawn it
+ * will. */
+static void root_try(struct work *work, const struct scene *scene, int number,
+                     bool moves)
 {
     struct arena *arena = arena_new(0);
     struct parse_options parse = frame_parsing(work, number);
@@ -212,8 +215,8 @@ static void root_try(struct work *work, const struct scene *scene, int number)
     silent.listen = NULL;
     silent.out = NULL;
     struct scene *other = parse_scene(work->source, &parse, arena, &silent);
-    if (other && fingerprints_same(scene_fingerprint(scene, true),
-                                   scene_fingerprint(other, true)))
+    if (other && (moves || fingerprints_same(scene_fingerprint(scene, true),
+                                             scene_fingerprint(other, true))))
         root_light(work, other, &silent);
     scene_free(other);
     arena_free(arena);
@@ -232,13 +235,34 @@ static void root_make(struct work *work, const struct scene *scene, int number)
         options->light.light_mesh.load_file || options->probe)
         return;
     work->root_tried = true;
-    root_try(work, scene, frames->last);
+    root_try(work, scene, frames->last, false);
     if (work->kept.inside)
         return;
     memory_free(work->kept.bytes);
     work->kept = (struct lighting_kept){ .bytes = NULL };
     if (number != frames->first)
-        root_try(work, scene, frames->first);
+        root_try(work, scene, frames->first, false);
+}
+
+/* Where something moves in a chamber all frames have the plan of the last one,
+ * lest what stands still changes from frame to frame. Returns whether there is
+ * one, once: to begin the lighting of this frame with it. */
+static bool root_follow(struct work *work, const struct scene *scene,
+                        const void *state)
+{
+    const struct frames *frames = &work->options.frames;
+    if (!work->root_tried || work->kept.bytes || work->root_followed)
+        return false;
+    work->root_followed = true;
+    struct lighting_kept own = work->lighting->keep(state);
+    memory_free(own.bytes);
+    if (own.inside)
+        root_try(work, scene, frames->last, true);
+    if (work->kept.inside)
+        return true;
+    memory_free(work->kept.bytes);
+    work->kept = (struct lighting_kept){ .bytes = NULL };
+    return false;
 }
 
 /* Lights the world. */
@@ -255,6 +279,12 @@ static bool frame_light(struct work *work, const struct world *world,
                              .quality = options->quality,
                              .alpha = options->alpha };
     tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
+    if (tracer.lighting_state &&
+        root_follow(work, scene, tracer.lighting_state)) {
+        lighting->finish(tracer.lighting_state);
+        tracer.lighting_state =
+            lighting->start(world, scene, &light, &work->diag);
+    }
     stats_world(stats, world);
     if (!tracer.lighting_state)
         return false;

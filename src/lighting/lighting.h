@@ -40,6 +40,8 @@ struct lighting_options {
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene, */
     enum kept_use kept_use;           /* and this */
+    bool root; /* that is the root of the picture's animation: its plan counts,
+                * too, where something moves in a chamber */
 };
 
 struct facets;

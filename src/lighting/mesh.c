@@ -103,7 +103,8 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
  * bounce brings next to nothing more may: round two corners. */
 static struct survey mesh_survey(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
-                                 const struct lighting_options *options)
+                                 const struct lighting_options *options,
+                                 const struct bright *known)
 {
     struct gather gather = {
         .lamps = &mesh->lamps,
@@ -116,16 +117,30 @@ static struct survey mesh_survey(const struct mesh_lighting *mesh,
     if (options->numbers)
         survey = survey_none();
     else if (scene->settings.light_mesh.indirect.on)
-        survey = survey_of(&gather, scene, &worker, SURVEY_RAYS);
+        survey = survey_of(&gather, scene, &worker, SURVEY_RAYS, NULL);
     gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
     bool chamber = survey.open < open_enough && !options->numbers;
     if (gather.onward || chamber)
         survey = survey_of(&gather, scene, &worker,
-                           chamber ? CHAMBER_RAYS : SURVEY_RAYS);
+                           chamber ? CHAMBER_RAYS : SURVEY_RAYS, known);
     if (survey.bright.count > 0)
-        survey = survey_of(&gather, scene, &worker, BRIGHT_RAYS);
+        survey = survey_of(&gather, scene, &worker, BRIGHT_RAYS, known);
     arena_free(worker.scratch);
     return survey;
+}
+
+/* Where mesh points are. */
+static void mesh_frame_plan(struct mesh_lighting *mesh,
+                            const struct scene *scene,
+                            const struct outlook *outlook,
+                            const struct lighting_options *options)
+{
+    struct mesh_frame root;
+    bool rooted = mesh_known_root(&mesh->stamp, options, &root);
+    mesh->survey =
+        mesh_survey(mesh, scene, options, rooted ? &root.bright : NULL);
+    mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey, 0);
+    mesh->follows = rooted && plan_follow(&mesh->stamp.frame, &root);
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,
@@ -151,8 +166,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         mesh->stamp =
             mesh_stamp_new(scene, plan_held(said, mesh->lamps.count),
                            said->indirect.on, options->quality, options->seed);
-    mesh->survey = mesh_survey(mesh, scene, options);
-    mesh->stamp.frame = plan_frame(scene, &outlook, &mesh->survey, 0);
+    mesh_frame_plan(mesh, scene, &outlook, options);
     if (!mesh_begin(mesh, scene, &outlook, options, diag)) {
         mesh_finish(mesh);
         return NULL;

@@ -57,7 +57,7 @@ static void mesh_afford(struct mesh_lighting *mesh, const struct scene *scene,
                         const struct interpolation *interpolation,
                         const struct lighting_options *options)
 {
-    if (!mesh->indirect || options->numbers)
+    if (!mesh->indirect || options->numbers || mesh->follows)
         return;
     const struct census census = mesh_census(mesh, scene, options);
     if (plan_afford(&mesh->stamp.frame, scene, &mesh->survey,
@@ -90,6 +90,7 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
     mesh_afford(mesh, scene, interpolation, options);
     while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options) &&
            !mesh_fit_stopped(options)) {
+        mesh->follows = false;
         mesh->stamp.frame =
             plan_frame(scene, outlook, &mesh->survey, ++coarser);
         mesh_make(mesh, scene, interpolation);

@@ -79,6 +79,22 @@ bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
     return known->found;
 }
 
+bool mesh_known_root(const struct mesh_stamp *wanted,
+                     const struct lighting_options *options,
+                     struct mesh_frame *root)
+{
+    char text[200];
+    struct mesh_file file;
+    const struct lighting_kept *kept = options->kept;
+    if (!options->root || !kept || !kept->bytes || !kept->inside ||
+        !mesh_file_open(&file, kept->bytes, kept->size, text, sizeof text) ||
+        !mesh_stamp_alike(&file.stamp, wanted) ||
+        mesh_stamp_same(&file.stamp, wanted, text, sizeof text))
+        return false;
+    *root = file.stamp.frame;
+    return true;
+}
+
 bool mesh_known_same(struct mesh_known *known, const struct mesh_stamp *made,
                      const struct lighting_options *options)
 {

@@ -159,6 +159,11 @@ static bool stamp_settings_same(const struct mesh_stamp *made,
     }
 }
 
+bool mesh_stamp_alike(const struct mesh_stamp *a, const struct mesh_stamp *b)
+{
+    return strcmp(a->settings, b->settings) == 0;
+}
+
 bool mesh_stamp_same(const struct mesh_stamp *made,
                      const struct mesh_stamp *now, char *text, size_t size)
 {

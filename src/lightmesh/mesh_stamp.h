@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 13 };
+enum { MESH_VERSION = 14 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -61,6 +61,10 @@ struct mesh_stamp mesh_stamp_new(const struct scene *scene,
 
 /* A hash of all of it: meshes with the same may share points. */
 uint64_t mesh_stamp_family(const struct mesh_stamp *stamp);
+
+/* Whether the settings are the same: of scenes that may differ in what moves.
+ */
+bool mesh_stamp_alike(const struct mesh_stamp *a, const struct mesh_stamp *b);
 
 /* Whether a mesh that was made with `made` is that of `now`. If not, what has
  * changed in text[size]: "the lights have changed". */

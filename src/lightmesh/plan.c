@@ -108,6 +108,19 @@ struct mesh_frame plan_frame(const struct scene *scene,
     };
 }
 
+bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root)
+{
+    const struct bright bright = frame->bright;
+    bool same = frame->closed == root->closed &&
+                (frame->samples > 0) == (root->samples > 0) &&
+                (bright.count > 0) == (root->bright.count > 0);
+    if (!same || !(fabs(log2(frame->wanted / root->wanted)) <= follow_levels))
+        return false;
+    *frame = *root;
+    frame->bright = bright;
+    return true;
+}
+
 /* Rays that bring much the same are fewer, so that there may be more of others:
  * a factor. */
 static double plan_rough(const struct survey *survey)

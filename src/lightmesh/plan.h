@@ -40,6 +40,11 @@ struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
                              const struct survey *survey, int coarser);
 
+/* Makes the frame that of the root of its animation, if it is so nearly, but
+ * for its bright places: what moves in a chamber must not change where its mesh
+ * points are. Returns whether it did. */
+bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root);
+
 /* Where the indirect mesh would have so many points for a picture of so many
  * pixels: makes fewer of them, of fewer rays, if these are more than indirect
  * light is worth. Returns whether it did. */

@@ -186,15 +186,21 @@ static double sums_variance(const struct sums *sums,
 
 /* How much rays differ: less if some go to what is bright, or else nothing is.
  */
-static double sums_rough(const struct sums *sums, struct bright *bright)
+static double sums_rough(const struct sums *sums, const struct bright *known,
+                         struct bright *bright)
 {
     const struct bright none = { .count = 0 };
     double variance = sums_variance(sums, &none);
     double aimed = bright->count > 0 ? sums_variance(sums, bright) : variance;
-    if (aimed < bright_gain * variance)
+    if (aimed >= bright_gain * variance) {
+        *bright = none;
+        aimed = variance;
+    }
+    double before = known ? sums_variance(sums, known) : HUGE_VAL;
+    if (before > bright_known * aimed)
         return sqrt(aimed);
-    *bright = none;
-    return sqrt(variance);
+    *bright = *known;
+    return sqrt(before);
 }
 
 /* Light goes on from surface to surface: a geometric series. */
@@ -245,7 +251,7 @@ static struct bright sums_bright(const struct sums *sums)
     return bright;
 }
 
-static struct survey sums_tell(struct sums *sums)
+static struct survey sums_tell(struct sums *sums, const struct bright *known)
 {
     double rays = (double)sums->sights * sums->each;
     struct survey survey = { .open = 1 };
@@ -257,20 +263,23 @@ static struct survey sums_tell(struct sums *sums)
     if (survey.open < open_enough) {
         sums->choosing = sums->each / 2;
         survey.bright = sums_bright(sums);
+    } else {
+        known = NULL;
     }
-    survey.rough = sums_rough(sums, &survey.bright);
+    survey.rough = sums_rough(sums, known, &survey.bright);
     return survey;
 }
 
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
-                        struct worker *worker, int rays)
+                        struct worker *worker, int rays,
+                        const struct bright *known)
 {
     enum { SIGHTS = SURVEY_EDGE * SURVEY_EDGE };
     struct sums sums = { .gather = gather, .each = rays };
     sums.hits = memory_new(SIGHTS * (size_t)rays * sizeof *sums.hits);
     sums.brought = memory_new(SIGHTS * (size_t)rays * sizeof *sums.brought);
     sums_gather(&sums, scene, worker);
-    struct survey survey = sums_tell(&sums);
+    struct survey survey = sums_tell(&sums, known);
     memory_free(sums.hits);
     memory_free(sums.brought);
     return survey;

@@ -22,9 +22,12 @@ struct survey {
 /* What to reckon with where nobody looks: all matters. */
 struct survey survey_none(void);
 
-/* `gather` has no mesh; `rays`, at least 4, of each place. */
+/* `gather` has no mesh; `rays`, at least 4, of each place. Bright places that
+ * are `known` (NULL: none are) are taken if they serve nearly as well as others
+ * that are found. */
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
-                        struct worker *worker, int rays);
+                        struct worker *worker, int rays,
+                        const struct bright *known);
 
 /* Takes a line: what, how much, and its unit or "". */
 typedef void survey_row(void *context, const char *what, double amount,

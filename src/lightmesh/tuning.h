@@ -82,6 +82,11 @@ static const double kept_full = 0.5; /* of a table, by the picture before */
 static const double kept_levels = 1; /* by which points are nearer to each
                                       * other than wanted, or farther off,
                                       * before others are asked, ... */
+static const double follow_levels =
+    0.5;                  /* by which the pictures of an animation
+                           * in which something moves may differ
+                           * in how near they want points to be,
+                           * and have them alike [flicker] */
 enum { KEPT_LEVELS = 6 }; /* which are up to so many levels finer or coarser */
 static const double kept_rays = 4; /* times as many that are wanted of a point:
                                     * others are made */
@@ -280,7 +285,11 @@ static const double bright_least =
 static const double bright_fade = 2;   /* what has so much more is worth most */
 static const double bright_gain = 0.8; /* of the variance there is without is
                                         * worth aiming at them */
-static const double bright_cells = 10; /* along the chamber, at least */
+static const double bright_known = 1.25; /* of the variance there is with those
+                                          * that are found: by those of another
+                                          * picture of an animation there may
+                                          * be so much [flicker] */
+static const double bright_cells = 10;   /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
