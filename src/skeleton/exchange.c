@@ -14,6 +14,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/warp.h"
+#include "shade/shadow.h"
 
 enum {
     RAYS_LEAST = 16, /* of a zone */
@@ -115,15 +116,19 @@ static struct draws patch_draws(const struct exchange *exchange,
                            bits_apart(u) | bits_apart(v) << 1 };
 }
 
+/* The ray begins above its patch, not farther along: in a corner it would be
+ * through the other wall. */
 static void sender_shoot(const struct exchange *exchange, struct sender *sender,
                          const struct wall_patch *patch,
                          const struct draws *draws)
 {
     double u[2], area = (double)patch->area / sender->each;
     draw_pair(draws, 0, u);
-    struct ray ray = { patch->point, warp_lobe(u, patch->normal, 1) };
-    struct sighting seen =
-        sight_zone(exchange->sight, &ray, random_key(draws->key, draws->index));
+    struct ray ray = { vec3_along(patch->point, patch->normal,
+                                  surface_offset(patch->point)),
+                       warp_lobe(u, patch->normal, 1) };
+    struct sighting seen = sight_zone(exchange->sight, &ray, 0,
+                                      random_key(draws->key, draws->index));
     sender->met[sender->rays++] = (struct meeting){ seen.zone, area };
     if (seen.zone != ZONE_SKY)
         return;

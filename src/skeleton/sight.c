@@ -8,9 +8,8 @@ enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
 
 /* The first wall that a ray meets; what lets light pass is none. */
 static bool sight_wall(const struct sight *sight, const struct ray *ray,
-                       struct intersection *at)
+                       double tmin, struct intersection *at)
 {
-    double tmin = surface_offset(ray->origin);
     for (int i = 0; i < CROSSINGS; i++) {
         if (!world_closest(sight->skeleton->world, ray, tmin, RAY_REFLECTION,
                            at))
@@ -23,13 +22,13 @@ static bool sight_wall(const struct sight *sight, const struct ray *ray,
 }
 
 struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
-                           uint64_t key)
+                           double tmin, uint64_t key)
 {
     const struct skeleton *skeleton = sight->skeleton;
     const struct voxels *v = skeleton->voxels;
     struct intersection at;
     int place[3];
-    bool met = sight_wall(sight, ray, &at);
+    bool met = sight_wall(sight, ray, tmin, &at);
     if (!met || !voxels_find(v, at.point, place))
         return (struct sighting){ ZONE_SKY, HUGE_VAL,
                                   patches_beyond(&sight->scene, ray->direction,

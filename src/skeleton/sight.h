@@ -29,8 +29,8 @@ struct sighting {
     rgb beyond;      /* ZONE_SKY: the radiance of what is met out there */
 };
 
-/* The zone that a ray meets; `key` names its random numbers. */
+/* The zone that a ray meets from tmin on; `key` names its random numbers. */
 struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
-                           uint64_t key);
+                           double tmin, uint64_t key);
 
 #endif

@@ -7,6 +7,7 @@
 #include "base/draw.h"
 #include "base/memory.h"
 #include "base/warp.h"
+#include "shade/shadow.h"
 #include "shade/surface.h"
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
@@ -319,7 +320,8 @@ static rgb network_seen(const struct skeleton *skeleton, const struct ray *ray,
                         uint64_t key, double *distance)
 {
     const struct network *network = skeleton->state;
-    struct sighting seen = sight_zone(&network->sight, ray, key);
+    struct sighting seen =
+        sight_zone(&network->sight, ray, surface_offset(ray->origin), key);
     *distance = seen.distance;
     return seen.zone < ZONE_SKY ? network->enclosure->zones[seen.zone].sent
                                 : seen.beyond;
