@@ -110,14 +110,15 @@ struct mesh_frame plan_frame(const struct scene *scene,
 
 bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root)
 {
-    const struct bright bright = frame->bright;
+    const struct mesh_frame own = *frame;
     bool same = frame->closed == root->closed &&
                 (frame->samples > 0) == (root->samples > 0) &&
-                (bright.count > 0) == (root->bright.count > 0);
+                (own.bright.count > 0) == (root->bright.count > 0);
     if (!same || !(fabs(log2(frame->wanted / root->wanted)) <= follow_levels))
         return false;
     *frame = *root;
-    frame->bright = bright;
+    frame->bright = own.bright;
+    frame->around = own.around;
     return true;
 }
 
