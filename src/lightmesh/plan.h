@@ -41,8 +41,8 @@ struct mesh_frame plan_frame(const struct scene *scene,
                              const struct survey *survey, int coarser);
 
 /* Makes the frame that of the root of its animation, if it is so nearly, but
- * for its bright places: what moves in a chamber must not change where its mesh
- * points are. Returns whether it did. */
+ * for its light: what moves in a chamber must not change where its mesh points
+ * are, nor how many rays they send. Returns whether it did. */
 bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root);
 
 /* Where the indirect mesh would have so many points for a picture of so many
