@@ -1,4 +1,6 @@
 /* Colours: `rgb <1, 0.5, 0>`, `color red 1 filter 0.5`, `Red * 0.5`. */
+#include <ctype.h>
+
 #include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/stream.h"
@@ -107,6 +109,13 @@ static bool channel_missing(struct parser *p)
     struct span span = p->last_span;
     const char *text = span.source->text + span.offset;
     const char *word = arena_printf(p->arena, "%.*s", (int)span.length, text);
+    const char *capital =
+        arena_printf(p->arena, "%c%s", toupper((unsigned char)*word), word + 1);
+    if (symbol_find(p, word_intern(p->words, capital, strlen(capital))))
+        return error_at(p, span, capital,
+                        "'%s' wants a number after it; the colour has a "
+                        "capital letter",
+                        word);
     return error_at(p, span, arena_printf(p->arena, "%s 1", word),
                     "'%s' wants a number after it; the colours of colors.inc "
                     "have capital letters",

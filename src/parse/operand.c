@@ -1,5 +1,8 @@
 /* Operands of expressions: numbers, strings, vectors, parentheses, constants,
  * identifiers, and their components. */
+#include <ctype.h>
+#include <stdlib.h>
+
 #include <limits.h>
 
 #include "parse/array.h"
@@ -37,7 +40,24 @@ void value_promote(struct value *value, int size)
     }
 }
 
-/* A number among arguments, where a string is wanted. */
+/* `V.0`, `V[0]` or `V(0)` of a vector: its parts are V.x, V.y and V.z. */
+static const char *value_as_part(struct parser *p, struct span span,
+                                 const struct value *value, const char *wanted)
+{
+    const char *text = span.source->text + span.offset;
+    if (strcmp(wanted, "a number") != 0 || value->kind != VALUE_VECTOR ||
+        span.length > 40 || !isalpha((unsigned char)*text) ||
+        !strchr(".[(", text[span.length]) || !text[span.length])
+        return NULL;
+    int part = atoi(text + span.length + 1);
+    return arena_printf(p->arena, "%.*s.%c", (int)span.length, text,
+                        part == 1   ? 'y'
+                        : part == 2 ? 'z'
+                                    : 'x');
+}
+
+/* A number among arguments, or behind #debug, #warning or #error (whose last
+ * letters are looked at), where a string is wanted. */
 static const char *value_as_text(struct parser *p, struct span span,
                                  const struct value *value, const char *wanted)
 {
@@ -46,7 +66,7 @@ static const char *value_as_text(struct parser *p, struct span span,
         before--;
     if (strcmp(wanted, "a string") != 0 || value->kind != VALUE_FLOAT ||
         span.length > 40 || before == 0 ||
-        !strchr("(,", span.source->text[before - 1]))
+        !strchr("(,gr", span.source->text[before - 1]))
         return NULL;
     return arena_printf(p->arena, "str(%.*s, 0, 3)", (int)span.length,
                         span.source->text + span.offset);
@@ -58,7 +78,9 @@ static bool value_mismatch(struct parser *p, struct span start,
     if (value_is_poison(value))
         return false;
     struct span span = span_join(start, p->last_span);
-    const char *hint = wanted_signature(p, 0);
+    const char *hint = value_as_part(p, span, value, wanted);
+    if (!hint)
+        hint = wanted_signature(p, 0);
     if (!hint)
         hint = value_as_text(p, span, value, wanted);
     return error_at(p, span, hint, "expected %s, found %s",
@@ -437,6 +459,9 @@ static bool parse_word_operand(struct parser *p, const char *wanted,
         bool ok = operand_recover(p, TOKEN_RPAREN, parse_call(p, value), value);
         return brackets_end(p, outer, ok);
     }
+    if (colour_begins(word->keyword) && strcmp(wanted, "a number") == 0 &&
+        isalpha((unsigned char)p->last_span.source->text[p->last_span.offset]))
+        return error_expected(p, wanted);
     if (colour_begins(word->keyword) && !operand_is_first(p))
         return error_at(p, p->token_span, NULL,
                         "'%s' is only allowed at the beginning of a colour, "
