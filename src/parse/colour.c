@@ -145,6 +145,18 @@ bool parse_channels(struct parser *p, struct value *value)
     }
 }
 
+/* `color "red"`: colours are declared names, in colors.inc with a capital. */
+static const char *colour_quoted(struct parser *p, const struct value *value)
+{
+    enum { LONGEST = 40 };
+    const char *text = value->kind == VALUE_STRING ? value->text : "";
+    return isalpha((unsigned char)*text) && strlen(text) <= LONGEST &&
+                   !text[strcspn(text, " ./")]
+               ? arena_printf(p->arena, "%c%s", toupper((unsigned char)*text),
+                              text + 1)
+               : NULL;
+}
+
 /* The value of what is no channel, `rgb 1` or `Red * 0.5`. */
 static bool parse_colour_value(struct parser *p, struct value *value)
 {
@@ -155,7 +167,7 @@ static bool parse_colour_value(struct parser *p, struct value *value)
     if (!ok || value_is_poison(value))
         return false;
     return value_size(value) ||
-           error_at(p, span_join(start, p->last_span), NULL,
+           error_at(p, span_join(start, p->last_span), colour_quoted(p, value),
                     "expected a colour, found %s", value_describe(value));
 }
 

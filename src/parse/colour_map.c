@@ -64,6 +64,10 @@ static bool parse_colour_map_entry(struct parser *p,
     accept(p, TOKEN_COMMA);
     if (old) {
         entry.value = end;
+        if (stream_peek(p)->kind == TOKEN_RBRACKET)
+            return error_at(p, stream_span(p), NULL,
+                            "an entry that goes from one number to another "
+                            "has two colours");
         if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
             return false;
     }

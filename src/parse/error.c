@@ -374,19 +374,6 @@ static const char *error_uncoloured(struct parser *p, const char *wanted)
                : NULL;
 }
 
-/* `color "red"`: colours are declared names, in colors.inc with a capital. */
-static const char *error_quoted_colour(struct parser *p, const char *wanted)
-{
-    const struct token *token = stream_peek(p);
-    if (strncmp(wanted, "a colour", 8) != 0 || token->kind != TOKEN_STRING ||
-        !isalpha((unsigned char)*token->text) ||
-        strlen(token->text) > ERROR_WORD_MAX ||
-        token->text[strcspn(token->text, " ./")])
-        return NULL;
-    return arena_printf(p->arena, "%c%s", toupper((unsigned char)*token->text),
-                        token->text + 1);
-}
-
 bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 {
     if (p->blamed.source && p->blamed.source == p->last_span.source &&
@@ -409,8 +396,6 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         hint = error_uncoloured(p, wanted);
     if (!hint)
         hint = item_wrapped(p, wanted);
-    if (!hint)
-        hint = error_quoted_colour(p, wanted);
     if (!hint)
         hint = error_declared_case(p);
     if (!hint)

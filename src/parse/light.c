@@ -1,4 +1,5 @@
 /* Light sources. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 #include "parse/tables.h"
 
@@ -255,7 +256,7 @@ static bool light_body(struct parser *p, struct object *object)
     light->span = object->span;
     object->light = light;
     if (stream_peek(p)->kind == TOKEN_WORD && stream_peek(p)->word->reserved &&
-        !at_expression(p))
+        (colour_begins(stream_peek(p)->word->keyword) || !at_expression(p)))
         return error_expected_hint(p, "where the light is, a vector",
                                    "<1, 2, 3>, rgb 1 ...");
     if (!parse_vector(p, &light->location))

@@ -166,6 +166,25 @@ static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
     return true;
 }
 
+/* The same of <1 -1 0>, which is <0, 0>. */
+static void vector_subtracted_first(struct parser *p, struct span open)
+{
+    const char *text = open.source->text;
+    size_t at = open.offset + 1 + strspn(text + open.offset + 1, " ");
+    size_t blank = at + strspn(text + at, "0123456789.");
+    size_t length = text[blank] == ' ' && text[blank + 1] == '-'
+                        ? 1 + strspn(text + blank + 2, "0123456789.")
+                        : 0;
+    if (blank == at || length < 2)
+        return;
+    struct span minus = { open.source, (uint32_t)(blank + 1),
+                          (uint32_t)length };
+    warning_at(p, minus,
+               arena_printf(p->arena, ", %.*s", (int)length, text + blank + 1),
+               "this is subtracted from what stands before it, which leaves "
+               "a vector of 2 components; a comma makes it the second");
+}
+
 const char *subtracted_hint(struct parser *p, struct span *minus)
 {
     struct span last = p->last_span;
@@ -223,16 +242,21 @@ static bool parse_vector_value(struct parser *p, struct value *value)
             break;
         if (size > 2 && !at_number(p))
             return vector_unclosed(p, open);
-        if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
-            vector_subtracted(p, size))
-            return false;
+        if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER)
+            return comma ? error_expected(p, "a number")
+                   : !commas && vector_subtracted(p, size)
+                       ? false
+                       : error_at(p, stream_span(p), NULL,
+                                  "a vector has two components at least; a "
+                                  "number stands without '<' and '>'");
         if (!parse_float(p, &numbers[size++]))
             return false;
         comma = accept(p, TOKEN_COMMA);
         commas |= comma;
     }
-    if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas)
-        vector_subtracted(p, size);
+    if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
+        !vector_subtracted(p, size))
+        vector_subtracted_first(p, open);
     if (stream_peek(p)->kind == TOKEN_GREATER_EQUAL)
         return error_at(p, p->token_span, "> =",
                         "'>=' is one operator; put a space between the '>' "

@@ -1,5 +1,6 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/macro.h"
 #include "parse/mistaken.h"
 #include "parse/rules.h"
 
@@ -326,6 +327,26 @@ static bool scene_stray(struct parser *p)
     return true;
 }
 
+/* `Chair(1) { translate x }`: the next token, a '{', is behind a call. */
+static bool scene_behind_call(struct parser *p)
+{
+    const struct cursor *cursor = p->cursor;
+    const struct token *tokens = cursor->list->tokens;
+    size_t at = cursor->index;
+    int depth = 0;
+    if (at < 4 || cursor->list->source != p->token_span.source ||
+        tokens[at -= 2].kind != TOKEN_RPAREN)
+        return false;
+    for (; at > 0; at--) {
+        depth += tokens[at].kind == TOKEN_RPAREN;
+        depth -= tokens[at].kind == TOKEN_LPAREN;
+        if (depth == 0)
+            break;
+    }
+    return at > 0 && tokens[at - 1].kind == TOKEN_WORD &&
+           macro_is_call(p, tokens[at - 1].word);
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
@@ -351,6 +372,9 @@ static bool scene_unknown(struct parser *p)
                  "no ';' stands here: it ends #declare, #local and #version");
     else if (kind == TOKEN_RBRACE)
         error_at(p, stream_span(p), NULL, "this '}' closes nothing");
+    else if (kind == TOKEN_LBRACE && scene_behind_call(p))
+        error_at(p, stream_span(p), "object { NAME(...) ... }",
+                 "what a macro makes is moved and coloured in 'object { }'");
     else if (kind == TOKEN_LBRACE)
         error_at(p, stream_span(p), NULL,
                  "no item of the scene stands before this '{'; what belongs "
