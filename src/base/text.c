@@ -48,7 +48,7 @@ unsigned text_distance(const char *a, const char *b)
 struct text_nearest text_nearest_start(const char *word)
 {
     size_t length = strlen(word);
-    unsigned limit = length <= 3 ? 1 : length <= 8 ? 2 : 3;
+    unsigned limit = length <= 4 ? 1 : length <= 8 ? 2 : 3;
     return (struct text_nearest){ word, NULL, limit + 1 };
 }
 

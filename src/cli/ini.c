@@ -17,6 +17,7 @@ struct ini {
     size_t next;         /* to read; offset into the source */
     const char *section; /* asked for, or NULL */
     bool found;          /* that section was there */
+    const char *names;   /* "[small], [large]": the sections that are there */
     bool active;         /* what is read now counts */
     bool good;
 };
@@ -89,6 +90,9 @@ static void ini_read_section(struct ini *ini)
     const char *name = ini_text(ini, start, ini_trim(ini, start, ini->next));
     bool wanted = ini->section && text_equal_nocase(name, ini->section);
     ini->found = ini->found || wanted;
+    ini->names = ini->names ? arena_printf(ini->reader->arena, "%s, [%s]",
+                                           ini->names, name)
+                            : arena_printf(ini->reader->arena, "[%s]", name);
     ini->active = wanted || text_equal_nocase(name, "Glim");
     ini->next++;
 }
@@ -252,8 +256,8 @@ static bool ini_read_file(struct option_reader *reader, const char *path,
     ini_read_all(&ini);
     reader->depth--;
     if (section && !ini.found)
-        return option_fail(reader, setting, "%s has no section [%s]", path,
-                           section);
+        return option_fail(reader, setting, "%s has no section [%s]; it has %s",
+                           path, section, ini.names ? ini.names : "none");
     return ini.good;
 }
 
@@ -306,6 +310,18 @@ static bool ini_missing(struct option_reader *reader, const char *name,
     if (meant)
         return option_fail(reader, &plain,
                            "'%s' is no option like this: type %s", name, meant);
+    static const char dash[] = "\xe2\x80\x93", long_dash[] = "\xe2\x80\x94";
+    if (strncmp(name, dash, 3) == 0 || strncmp(name, long_dash, 3) == 0)
+        return option_fail(reader, &plain,
+                           "'%s' begins with a dash that is longer than the "
+                           "'-' of options: type -%s",
+                           name, name + 3);
+    const char *near = option_scene_near(reader->arena, name);
+    if (near && strchr(name, '.'))
+        return option_fail(reader, &plain,
+                           "there is no scene or INI file '%s': did you mean "
+                           "'%s'?",
+                           name, near);
     size_t key = strcspn(name, ":");
     if (name[key] && option_find_key(arena_copy_text(reader->arena, name, key)))
         return option_fail(reader, &plain,

@@ -102,6 +102,9 @@ option_warn(struct option_reader *reader, const struct setting *setting,
 bool option_unknown(struct option_reader *reader, const struct setting *setting,
                     const char *name);
 
+/* The scene in that folder whose name is nearest, or NULL. */
+const char *option_scene_near(struct arena *arena, const char *name);
+
 /* Reports that there is no such scene, with the name that may be meant;
  * returns false. */
 bool option_scene_missing(struct option_reader *reader, const char *name);

@@ -79,6 +79,12 @@ static const char *guess_synonym(const char *name)
         { "format", "+FN" },
         { "method", "--lighting rays" },
         { "define", "Declare=Name=1" },
+        { "gamma", "File_Gamma=sRGB" },
+        { "preview", "--lighting rays" },
+        { "fast", "--lighting rays" },
+        { "nt", "--threads 4" },
+        { "cores", "--threads 4" },
+        { "cpus", "--threads 4" },
     };
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
         if (text_equal_nocase(name, synonyms[i].name))
@@ -86,32 +92,72 @@ static const char *guess_synonym(const char *name)
     return NULL;
 }
 
-bool option_scene_missing(struct option_reader *reader, const char *name)
+/* The same in an INI file. */
+static const char *guess_key(const char *name)
 {
-    struct stat status;
+    static const struct {
+        const char *name, *meant;
+    } synonyms[] = {
+        { "antialias_method", "Sampling_Method=2" },
+        { "antialiasing_method", "Sampling_Method=2" },
+        { "antialias_level", "Antialias_Depth=3" },
+        { "resolution", "Width=320, and Height=240 in a line of its own" },
+        { "size", "Width=320, and Height=240 in a line of its own" },
+        { "image_width", "Width=320" },
+        { "image_height", "Height=240" },
+        { "input", "Input_File_Name=scene.pov" },
+        { "scene", "Input_File_Name=scene.pov" },
+        { "output", "Output_File_Name=picture" },
+        { "frames", "Final_Frame=10" },
+        { "first_frame", "Initial_Frame=1" },
+        { "last_frame", "Final_Frame=10" },
+        { "start_frame", "Initial_Frame=1" },
+        { "end_frame", "Final_Frame=10" },
+        { "threads", "Work_Threads=4" },
+        { "max_threads", "Work_Threads=4" },
+        { "include_path", "Library_Path=folder" },
+        { "format", "Output_File_Type=N" },
+        { "file_type", "Output_File_Type=N" },
+        { "gamma", "File_Gamma=sRGB" },
+    };
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (text_equal_nocase(name, synonyms[i].name))
+            return synonyms[i].meant;
+    return NULL;
+}
+
+const char *option_scene_near(struct arena *arena, const char *name)
+{
     const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
     int folder = (int)(last - name);
     struct text_nearest nearest = text_nearest_start(last);
-    if (stat(name, &status) == 0) {
-        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-                   "'%s' is a directory, not a scene", name);
-        return false;
-    }
-    DIR *directory = opendir(
-        folder ? arena_printf(reader->arena, "%.*s", folder, name) : ".");
+    DIR *directory =
+        opendir(folder ? arena_printf(arena, "%.*s", folder, name) : ".");
     struct dirent *entry;
     while (directory && (entry = readdir(directory)) != NULL) {
         size_t length = strlen(entry->d_name);
         if (length > 4 && text_equal_nocase(entry->d_name + length - 4, ".pov"))
             text_nearest_try(&nearest,
-                             arena_printf(reader->arena, "%s", entry->d_name));
+                             arena_printf(arena, "%s", entry->d_name));
     }
     if (directory)
         closedir(directory);
+    return nearest.best
+               ? arena_printf(arena, "%.*s%s", folder, name, nearest.best)
+               : NULL;
+}
+
+bool option_scene_missing(struct option_reader *reader, const char *name)
+{
+    struct stat status;
+    if (stat(name, &status) == 0) {
+        diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
+                   "'%s' is a directory, not a scene", name);
+        return false;
+    }
+    const char *near = option_scene_near(reader->arena, name);
     const char *hint =
-        nearest.best ? arena_printf(reader->arena, "did you mean '%.*s%s'?",
-                                    folder, name, nearest.best)
-                     : NULL;
+        near ? arena_printf(reader->arena, "did you mean '%s'?", near) : NULL;
     diag_print(
         reader->diag, DIAG_ERROR, span_none(), hint,
         "there is no scene '%s', neither here nor along the library path",
@@ -133,8 +179,16 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     /* +Wabc is no word mistyped. */
     if (letters && letters->argument && length <= 4 && !*rest)
         hint = NULL;
-    const char *synonym = guess_synonym(plain);
-    if (synonym && !setting->span.source) {
+    const char *synonym =
+        setting->span.source ? guess_key(plain) : guess_synonym(plain);
+    bool output = synonym && strcmp(synonym, "+Oname") == 0 && setting->next &&
+                  !strpbrk(setting->next, "+-=");
+    if (synonym && setting->span.source) {
+        hint = synonym;
+    } else if (output) {
+        hint = arena_printf(arena, "type +O%s", setting->next);
+        reader->took_next = true;
+    } else if (synonym) {
         hint = arena_printf(arena, "type %s", synonym);
         reader->took_next = setting->next && !strpbrk(setting->next, "+-=./");
     } else if (hint && !setting->span.source) {

@@ -467,6 +467,19 @@ static bool options_resolve_lighting(struct option_reader *reader)
     return false;
 }
 
+/* POV-Ray draws them too; more often it is Final_Frame that was forgotten. */
+static void options_tell_subset(struct option_reader *reader,
+                                const struct frames *frames)
+{
+    int end = frames->begin > frames->end ? frames->begin : frames->end;
+    if (end > frames->last)
+        diag_print(reader->diag, DIAG_WARNING, span_none(),
+                   arena_printf(reader->arena, "+KFF%d", end),
+                   "Final_Frame is %d, and the subset goes on to frame %d: it "
+                   "is drawn, with a clock beyond Final_Clock",
+                   frames->last, end);
+}
+
 static bool options_resolve(struct option_reader *reader)
 {
     struct options *options = reader->options;
@@ -491,6 +504,8 @@ static bool options_resolve(struct option_reader *reader)
     const char *problem = frames_resolve(&options->frames, reader->arena);
     if (problem)
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL, "%s", problem);
+    if (!problem && options->frames.animated)
+        options_tell_subset(reader, &options->frames);
     return !problem && frames_said_resolve(reader);
 }
 

@@ -211,6 +211,21 @@ static const char *array_layers(const struct array *array, int dimension,
                   : "";
 }
 
+/* How the values of a small array of two dimensions are written. */
+static const char *array_braces(struct parser *p, const struct array *array)
+{
+    if (array->dimensions != 2 || array->count > 12)
+        return "{{1, 2}, {3, 4}}";
+    const char *text = "{";
+    for (int i = 0, n = 0; i < array->size[0]; i++) {
+        text = arena_printf(p->arena, "%s%s{", text, i ? ", " : "");
+        for (int j = 0; j < array->size[1]; j++)
+            text = arena_printf(p->arena, "%s%s%d", text, j ? ", " : "", ++n);
+        text = arena_printf(p->arena, "%s}", text);
+    }
+    return arena_printf(p->arena, "%s}", text);
+}
+
 /* All values must be there; a comma between two is optional.
  * array_values = "{" ( array_values {[","] array_values}
  *              | value {[","] value} ) [","] "}" . */
@@ -218,6 +233,10 @@ static bool parse_array_values(struct parser *p, struct array *array,
                                int dimension, struct value **next)
 {
     struct span open;
+    if (stream_peek(p)->kind != TOKEN_LBRACE)
+        return error_at(p, stream_span(p), array_braces(p, array),
+                        "an array of %d dimensions has braces around each row",
+                        array->dimensions);
     if (!block_begin(p, &open))
         return false;
     bool ok = true;

@@ -12,7 +12,10 @@ bool parse_background(struct parser *p, colour *out)
         return false;
     *out = (colour){ .r = 0 };
     bool ok = !at_any_colour(p) || parse_colour(p, out);
-    if (ok && stream_peek(p)->kind != TOKEN_RBRACE)
+    if (ok && at_any_colour(p))
+        ok = error_at(p, stream_span(p), NULL,
+                      "a background has one colour, and it stands before this");
+    else if (ok && stream_peek(p)->kind != TOKEN_RBRACE)
         ok = error_unknown_item(p, "background", NULL);
     if (!p->version_said || p->version < 3.7) {
         out->filter = out->transmit = 0;

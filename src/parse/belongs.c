@@ -110,3 +110,21 @@ const char *item_belongs(struct parser *p, const struct word *word,
     return arena_printf(p->arena, "%s { %s%s }", owner, word->text,
                         value ? "" : " ...");
 }
+
+const char *item_wrapped(struct parser *p, const char *wanted)
+{
+    static const char *const parts[] = { "a texture", "a material",  "a finish",
+                                         "a normal",  "an interior", "a colour",
+                                         "a pigment" };
+    const struct token *token = stream_peek(p);
+    const struct value *value =
+        token->kind == TOKEN_WORD && !token->word->reserved
+            ? symbol_find(p, token->word)
+            : NULL;
+    const char *block = value ? block_of(value->kind) : NULL;
+    for (size_t i = 0; block && i < sizeof parts / sizeof *parts; i++)
+        if (strncmp(wanted, parts[i], strlen(parts[i])) == 0)
+            return arena_printf(p->arena, "%s { %s }", block,
+                                token->word->text);
+    return NULL;
+}

@@ -239,6 +239,10 @@ static bool parse_patch_points(struct parser *p, struct bicubic *patch)
 {
     for (int i = 0; i < PATCH_SIDE * PATCH_SIDE; i++) {
         accept(p, TOKEN_COMMA);
+        if (stream_peek(p)->kind == TOKEN_RBRACE)
+            return error_at(p, stream_span(p), NULL,
+                            "a bicubic_patch has %d points, here are %d",
+                            PATCH_SIDE * PATCH_SIDE, i);
         if (!parse_vector(p, &patch->points[i / PATCH_SIDE][i % PATCH_SIDE]))
             return false;
     }

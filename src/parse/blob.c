@@ -125,6 +125,14 @@ static bool blob_part_items(struct parser *p, struct blob_builder *b,
     return true;
 }
 
+static bool blob_part_short(struct parser *p, bool ball)
+{
+    return error_expected_hint(
+        p, "a number for 'strength'",
+        ball ? "sphere { <centre>, radius, strength }"
+             : "cylinder { <base>, <apex>, radius, strength }");
+}
+
 /* blob_part = ( "sphere" "{" vector [","] float
  *             | "cylinder" "{" vector [","] vector [","] float )
  *             [","] ["strength"] float
@@ -144,6 +152,8 @@ static bool parse_blob_part(struct parser *p, struct blob_builder *b)
     if (ok) {
         accept(p, TOKEN_COMMA);
         accept_word(p, "strength");
+        if (!at_expression(p))
+            return block_end(p, open, blob_part_short(p, ball));
         ok = parse_field(p, component_arguments, &n) && blob_push(p, b, &n) &&
              blob_part_items(p, b, word.word->text);
     }

@@ -204,6 +204,9 @@ static bool camera_body(struct parser *p, struct span span,
     while (stream_peek(p)->kind != TOKEN_RBRACE)
         if (!parse_camera_item(p, &draft))
             return false;
+    if (draft.camera.aperture != 0 && draft.camera.blur_samples[1] == 0)
+        warning_at(p, span, "blur_samples 50",
+                   "an aperture without blur_samples blurs nothing");
     if (!camera_end(p, span, &draft))
         return false;
     *camera = draft.camera;

@@ -1,4 +1,6 @@
 /* Colours: `rgb <1, 0.5, 0>`, `color red 1 filter 0.5`, `Red * 0.5`. */
+#include <ctype.h>
+
 #include "parse/array.h"
 #include "parse/expression.h"
 #include "parse/stream.h"
@@ -107,6 +109,13 @@ static bool channel_missing(struct parser *p)
     struct span span = p->last_span;
     const char *text = span.source->text + span.offset;
     const char *word = arena_printf(p->arena, "%.*s", (int)span.length, text);
+    const char *capital =
+        arena_printf(p->arena, "%c%s", toupper((unsigned char)*word), word + 1);
+    if (symbol_find(p, word_intern(p->words, capital, strlen(capital))))
+        return error_at(p, span, capital,
+                        "'%s' wants a number after it; the colour has a "
+                        "capital letter",
+                        word);
     return error_at(p, span, arena_printf(p->arena, "%s 1", word),
                     "'%s' wants a number after it; the colours of colors.inc "
                     "have capital letters",
@@ -136,6 +145,18 @@ bool parse_channels(struct parser *p, struct value *value)
     }
 }
 
+/* `color "red"`: colours are declared names, in colors.inc with a capital. */
+static const char *colour_quoted(struct parser *p, const struct value *value)
+{
+    enum { LONGEST = 40 };
+    const char *text = value->kind == VALUE_STRING ? value->text : "";
+    return isalpha((unsigned char)*text) && strlen(text) <= LONGEST &&
+                   !text[strcspn(text, " ./")]
+               ? arena_printf(p->arena, "%c%s", toupper((unsigned char)*text),
+                              text + 1)
+               : NULL;
+}
+
 /* The value of what is no channel, `rgb 1` or `Red * 0.5`. */
 static bool parse_colour_value(struct parser *p, struct value *value)
 {
@@ -146,7 +167,7 @@ static bool parse_colour_value(struct parser *p, struct value *value)
     if (!ok || value_is_poison(value))
         return false;
     return value_size(value) ||
-           error_at(p, span_join(start, p->last_span), NULL,
+           error_at(p, span_join(start, p->last_span), colour_quoted(p, value),
                     "expected a colour, found %s", value_describe(value));
 }
 

@@ -1,4 +1,5 @@
 /* The lists of colours and pigments that a pattern's value picks from. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 
 /* POV-Ray's limit for the entries of a map. */
@@ -41,18 +42,32 @@ static bool parse_colour_map_entry(struct parser *p,
     struct span open;
     double end;
     bool old;
-    if (!bracket_begin(p, &open) || !parse_float(p, &entry.value))
+    if (!bracket_begin(p, &open))
+        return false;
+    const struct token *first = stream_peek(p);
+    if (first->kind == TOKEN_WORD && colour_begins(first->word->keyword))
+        return error_at(p, stream_span(p),
+                        arena_printf(p->arena, "0 %s ...", first->word->text),
+                        "an entry begins with its number, from 0 to 1");
+    if (!parse_float(p, &entry.value))
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_colour_or_number(p, &entry.colour, &end, &old))
         return false;
     accept(p, TOKEN_COMMA);
+    if (old && stream_peek(p)->kind == TOKEN_RBRACKET)
+        return error_at(p, p->last_span, arena_printf(p->arena, "rgb %g", end),
+                        "expected a colour, found a number");
     if ((old && !parse_colour(p, &entry.colour)) ||
         !map_push(p, builder, entry))
         return false;
     accept(p, TOKEN_COMMA);
     if (old) {
         entry.value = end;
+        if (stream_peek(p)->kind == TOKEN_RBRACKET)
+            return error_at(p, stream_span(p), NULL,
+                            "an entry that goes from one number to another "
+                            "has two colours");
         if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
             return false;
     }

@@ -19,7 +19,7 @@ static bool container_body(struct parser *p, struct container *container)
     struct span open;
     bool ball = at_word(p, "sphere");
     if (!ball && !at_word(p, "box"))
-        return error_expected(p, "'box' or 'sphere'");
+        return error_expected_hint(p, "'box' or 'sphere'", "box { -1, 1 }");
     stream_next(p);
     return block_begin(p, &open) &&
            block_end(p, open, container_items(p, container, ball));

@@ -223,7 +223,13 @@ static bool parse_prism_arguments(struct parser *p, void *shape)
     prism->axis = 1;
     while (parse_prism_kind(p, prism, &b.curve))
         continue;
-    if (points_flagged(p) || !parse_float(p, &prism->low))
+    if (points_flagged(p))
+        return false;
+    if (stream_peek(p)->kind == TOKEN_LESS)
+        return error_expected_hint(
+            p, "how low and how high the prism is and its number of points",
+            "0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 0>");
+    if (!parse_float(p, &prism->low))
         return false;
     accept(p, TOKEN_COMMA);
     if (!parse_float(p, &prism->high))

@@ -60,14 +60,30 @@ static bool directive_declares(const struct cursor *cursor)
 static bool directive_unknown(struct parser *p, const struct word *word,
                               struct span at)
 {
+    char behind = at.source->text[at.offset + 1];
+    if (behind == ' ' || behind == '\t') {
+        error_at(p, at, "//",
+                 "there is no directive '#%s'; a comment begins "
+                 "with '//'",
+                 word->text);
+        mistaken_skip_line(p, at);
+        return false;
+    }
     enum keyword meant = mistaken_directive_word(word);
     const char *shade = mistaken_hexadecimal(p, word);
     const char *hint =
         shade   ? shade
         : meant ? arena_printf(p->arena, "#%s", keyword_spelling(meant))
                 : NULL;
+    bool returns = strcmp(word->text, "return") == 0;
     error_at(p, at, hint, "there is no directive '#%s'%s", word->text,
-             shade ? "; a colour is written in numbers" : "");
+             shade     ? "; a colour is written in numbers"
+             : returns ? "; what a macro gives just stands in it, without a ';'"
+                       : "");
+    if (returns) {
+        mistaken_skip_line(p, at);
+        return false;
+    }
     if (meant == KEYWORD_DECLARE && !directive_declares(p->cursor))
         mistaken_define(p, at);
     else if (meant && !shade)

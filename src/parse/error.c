@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "base/text.h"
+#include "parse/error_parts.h"
 #include "parse/expression.h"
 #include "parse/mistaken.h"
 #include "parse/stream.h"
@@ -25,17 +26,13 @@ static bool error_reported(struct parser *p, struct span span)
     return false;
 }
 
-/* Whether an error at the next token would not be printed: asked before its
- * words are looked for, since that is slow and a loop can come by often. */
-static bool error_is_silent(struct parser *p)
+bool error_is_silent(struct parser *p)
 {
     struct span span = stream_span(p);
     return p->failed || p->told || error_reported(p, library_user(p, span));
 }
 
-/* Whether the rule that was reported last has not read on since: what is
- * missing now is missing because of that. */
-static bool error_follows(struct parser *p)
+bool error_follows(struct parser *p)
 {
     return p->reported_count > 0 && p->taken_at_error == p->taken;
 }
@@ -118,8 +115,7 @@ void note_at(struct parser *p, struct span span, const char *format, ...)
     va_end(arguments);
 }
 
-/* The text of the next token as written, cut to a readable length. */
-static const char *error_found(struct parser *p)
+const char *error_found(struct parser *p)
 {
     const struct token *token = stream_peek(p);
     struct span span = p->token_span;
@@ -288,7 +284,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
-    if (error_foreign(p, token->word->text))
+    if (error_foreign(p, token->word->text) || mistaken_degrees(p))
         return true;
     if (!hint)
         hint = standard_include(p, token->word->text);
@@ -315,7 +311,7 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     return true;
 }
 
-static const char *error_kind(struct parser *p)
+const char *error_kind(struct parser *p)
 {
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD || token->word->reserved)
@@ -336,11 +332,7 @@ static const char *error_assigned(struct parser *p, const char *wanted)
                                : "; no ':' stands between a word and its value";
 }
 
-/* Longer ones are not told of. */
-enum { ERROR_WORD_MAX = 40 };
-
-/* The word read last, and how long it is; NULL: it was none. */
-static const char *error_last_word(const struct parser *p, int *length)
+const char *error_last_word(const struct parser *p, int *length)
 {
     struct span last = p->last_span;
     if (!last.source || !isalpha((unsigned char)last.source->text[last.offset]))
@@ -349,9 +341,8 @@ static const char *error_last_word(const struct parser *p, int *length)
     return last.source->text + last.offset;
 }
 
-/* The same if it names a value of that kind. */
-static const char *error_last_value(struct parser *p, enum value_kind kind,
-                                    int *length)
+const char *error_last_value(struct parser *p, enum value_kind kind,
+                             int *length)
 {
     const char *text = error_last_word(p, length);
     const struct value *value =
@@ -404,6 +395,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     if (!hint)
         hint = error_uncoloured(p, wanted);
     if (!hint)
+        hint = item_wrapped(p, wanted);
+    if (!hint)
         hint = error_declared_case(p);
     if (!hint)
         hint = wanted_signature(p, 1);
@@ -419,181 +412,4 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
 bool error_expected(struct parser *p, const char *wanted)
 {
     return error_expected_hint(p, wanted, NULL);
-}
-
-static void error_try_word(void *context, const struct word *word)
-{
-    text_nearest_try(context, word->text);
-}
-
-static bool error_file_ends(struct parser *p, const char *block)
-{
-    error_at(p, p->token_span, NULL,
-             "the file ends inside '%s'; a '}' is missing", block);
-    if (p->block_count > 0)
-        note_at(p, p->blocks[p->block_count - 1], "to match this '{'");
-    return false;
-}
-
-/* Blocks are named by their keyword, in quotes; the scene is none. */
-static const char *error_block(struct parser *p, const char *block)
-{
-    return p->block_count ? arena_printf(p->arena, "'%s'", block) : block;
-}
-
-/* `spotlight { point_at 0 }`: what it is about stands beside it. */
-static const char *error_no_block(struct parser *p)
-{
-    int length;
-    const char *text = error_last_word(p, &length);
-    return text && length <= ERROR_WORD_MAX
-               ? arena_printf(p->arena, "; '%.*s' has no braces", length, text)
-               : "; there is no item before it";
-}
-
-/* What stands where no value belongs. */
-static bool error_no_item(struct parser *p, const char *block)
-{
-    enum token_kind kind = p->token.kind;
-    bool comma = kind == TOKEN_COMMA;
-    size_t left;
-    const struct token *next = stream_raw(p, &left);
-    if (comma && left > 0)
-        kind = next->kind;
-    bool values = kind == TOKEN_NUMBER || kind == TOKEN_MINUS ||
-                  kind == TOKEN_LPAREN || kind == TOKEN_LESS;
-    if (kind == TOKEN_LESS && !comma && strcmp(block, "pigment") == 0)
-        return error_at(p, p->token_span, "rgb <1, 0.5, 0>",
-                        "a colour begins with 'rgb', also in 'pigment'");
-    const char *why = values  ? "; a vector is written <1, 2, 3>, a product 2*x"
-                      : comma ? "; no comma stands between items"
-                      : kind == TOKEN_SEMICOLON
-                          ? "; a ';' only ends #declare, #local and #version"
-                      : kind == TOKEN_LBRACE ? error_no_block(p)
-                                             : "";
-    return error_at(
-        p, p->token_span, comma && values ? primitive_hint(p, block) : NULL,
-        "unexpected %s in %s%s", error_found(p), error_block(p, block), why);
-}
-
-/* A number right before x, y or z: 20y is meant as a product. */
-static bool error_product(struct parser *p)
-{
-    struct span number = p->last_span, word = p->token_span;
-    if (!constant_is(p, p->token.word->keyword) ||
-        number.source != word.source || number.offset >= word.offset)
-        return false;
-    size_t end = number.offset + number.length;
-    size_t blanks = strspn(word.source->text + end, " ");
-    if (end + blanks != word.offset ||
-        !strchr("0123456789.", word.source->text[end - 1]))
-        return false;
-    const char *text = number.source->text + number.offset;
-    error_at(p, span_join(number, word),
-             arena_printf(p->arena, "%.*s*%s", (int)number.length, text,
-                          p->token.word->text),
-             "a product wants a '*'");
-    return true;
-}
-
-/* `Ball translate x`: a declared object that is moved or coloured beside, not
- * in a block. */
-static const char *error_bare_object(struct parser *p, const struct word *word)
-{
-    int length;
-    const char *text =
-        p->block_count == 0 ? error_last_value(p, VALUE_OBJECT, &length) : NULL;
-    return text && length <= ERROR_WORD_MAX
-               ? arena_printf(p->arena, "object { %.*s %s ... }", length, text,
-                              word->text)
-               : NULL;
-}
-
-/* What the word was meant to be. */
-static const char *error_meant(struct parser *p, const struct word *word,
-                               const char *block, const struct field *fields)
-{
-    const char *known = NULL;
-    if (!word->reserved)
-        known = standard_include(p, word->text);
-    if (!word->reserved && !known)
-        known = mistaken_word(word, block);
-    if (known)
-        return known;
-    struct text_nearest nearest = text_nearest_start(word->text);
-    for (const struct field *f = fields; f && f->name; f++)
-        text_nearest_try(&nearest, f->name);
-    const char *symbol = symbol_nearest(p, word->text);
-    if (symbol)
-        text_nearest_try(&nearest, symbol);
-    if (!word->reserved)
-        word_table_visit(p->words, error_try_word, &nearest);
-    return nearest.best;
-}
-
-/* A pattern that does not come first. */
-static bool error_pattern(struct parser *p, const struct word *word,
-                          const char *block)
-{
-    bool takes = strcmp(block, "pigment") == 0 ||
-                 strcmp(block, "normal") == 0 || strcmp(block, "texture") == 0;
-    if (!takes || !word->reserved || !pattern_find(word->text))
-        return false;
-    error_at(p, p->token_span, NULL,
-             "a pattern comes first in '%s', and there is one at most; '%s' "
-             "is not",
-             block, word->text);
-    return true;
-}
-
-/* `spotlight on`: on, off ... after a word that takes no value. */
-static bool error_flag(struct parser *p, const struct word *word)
-{
-    struct span last = p->last_span;
-    bool value = word->keyword == KEYWORD_ON || word->keyword == KEYWORD_OFF ||
-                 word->keyword == KEYWORD_YES || word->keyword == KEYWORD_NO ||
-                 word->keyword == KEYWORD_TRUE ||
-                 word->keyword == KEYWORD_FALSE;
-    if (!value || !last.source || last.length > 40)
-        return false;
-    error_at(p, p->token_span, NULL, "'%.*s' takes no value, found '%s'",
-             (int)last.length, last.source->text + last.offset, word->text);
-    return true;
-}
-
-bool error_unknown_item(struct parser *p, const char *block,
-                        const struct field *fields)
-{
-    const struct token *token = stream_peek(p);
-    if (token->kind == TOKEN_END)
-        return error_file_ends(p, block);
-    if (error_follows(p) || at_poison(p) || mistaken_statement(p) ||
-        error_is_silent(p))
-        return false;
-    if (token->kind != TOKEN_WORD)
-        return error_no_item(p, block);
-    if (error_product(p))
-        return false;
-    const struct word *word = token->word;
-    const char *belongs = unclosed_hint(p);
-    if (!belongs)
-        belongs = error_bare_object(p, word);
-    if (!belongs && word->reserved)
-        belongs = mistaken_word(word, block);
-    if (!belongs)
-        belongs = item_belongs(p, word, block);
-    const char *kind = error_kind(p);
-    if (error_pattern(p, word, block) || error_flag(p, word))
-        return false;
-    if (kind)
-        error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",
-                 word->text, kind, error_block(p, block));
-    else
-        error_at(p, p->token_span,
-                 belongs ? belongs : error_meant(p, word, block, fields),
-                 word->reserved ? "'%s' is not allowed in %s"
-                                : "unknown item '%s' in %s",
-                 word->text, error_block(p, block));
-    note_unclosed(p);
-    return false;
 }

@@ -61,14 +61,13 @@ static bool condition_closes(struct parser *p, struct span open)
     return false;
 }
 
-/* The rest of a short line in parentheses, up to the next directive; of
- * `#case 1:` the number. */
-static const char *condition_hint(struct parser *p, struct span start)
+const char *condition_hint(struct parser *p, struct span start)
 {
     const char *text = start.source->text + start.offset;
     size_t length = strcspn(text, "(){}#\r\n"), number = start.length;
     size_t behind = number + strspn(text + number, " ");
-    if (stream_peek(p)->kind == TOKEN_NUMBER && strchr(":\"", text[behind]))
+    if (stream_peek(p)->kind == TOKEN_NUMBER &&
+        (strchr(":\"", text[behind]) || isalpha((unsigned char)text[behind])))
         return arena_printf(p->arena, "(%.*s)", (int)number, text);
     bool whole = text[length] && strchr("#\r\n", text[length]);
     while (length > 0 && text[length - 1] == ' ')

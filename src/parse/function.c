@@ -5,6 +5,7 @@
 
 #include "parse/array.h"
 #include "parse/expression.h"
+#include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 
@@ -314,6 +315,8 @@ bool parse_call(struct parser *p, struct value *value)
 {
     const struct word *word = stream_peek(p)->word;
     const struct function_row *row = function_find(word->keyword);
+    if (mistaken_degrees(p))
+        return false;
     if (!row)
         return call_refuse(p, word, value);
     struct call call = { .span = p->token_span };

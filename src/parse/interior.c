@@ -7,6 +7,8 @@
 static bool parse_old_interior_value(struct parser *p)
 {
     double ignored;
+    warning_at(p, stream_span(p), "ior 1.5",
+               "'refraction' has no effect any more; 'ior' bends light");
     stream_next(p);
     return parse_float(p, &ignored);
 }

@@ -1,4 +1,5 @@
 /* Light sources. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 #include "parse/tables.h"
 
@@ -67,6 +68,7 @@ static bool area_size(struct parser *p, int *out)
 /* area_light = "area_light" vector [","] vector [","] float [","] float . */
 static bool parse_area_light(struct parser *p, struct light *light)
 {
+    struct span span = stream_span(p);
     stream_next(p);
     light->area = true;
     if (!parse_vector(p, &light->axis1))
@@ -83,6 +85,12 @@ static bool parse_area_light(struct parser *p, struct light *light)
     if (!at_number(p))
         return error_expected_hint(p, "how many lights along the second axis",
                                    "area_light x, z, 4, 4");
+    vec3 normal = vec3_cross(light->axis1, light->axis2);
+    if (!(vec3_dot(normal, normal) > 0))
+        warning_at(p, span_join(span, p->last_span),
+                   "area_light 2*x, 2*z, 4, 4",
+                   "the two sides of this area_light are parallel: its lights "
+                   "stand in one line");
     return area_size(p, &light->size2);
 }
 
@@ -247,6 +255,10 @@ static bool light_body(struct parser *p, struct object *object)
     *light = light_default();
     light->span = object->span;
     object->light = light;
+    if (stream_peek(p)->kind == TOKEN_WORD && stream_peek(p)->word->reserved &&
+        (colour_begins(stream_peek(p)->word->keyword) || !at_expression(p)))
+        return error_expected_hint(p, "where the light is, a vector",
+                                   "<1, 2, 3>, rgb 1 ...");
     if (!parse_vector(p, &light->location))
         return false;
     accept(p, TOKEN_COMMA);

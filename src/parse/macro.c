@@ -77,6 +77,10 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
         macro->parameters[macro->parameter_count++] = name;
         cursor->index += tokens[cursor->index + 1].kind == TOKEN_COMMA ? 2 : 1;
     }
+    if (tokens[cursor->index].kind == TOKEN_EQUAL && macro->parameter_count)
+        return error_at(p, token_span(cursor->list, cursor->index), NULL,
+                        "a parameter has no value of its own; calls give all "
+                        "of them");
     return expect(p, TOKEN_RPAREN, open);
 }
 

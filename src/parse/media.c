@@ -88,6 +88,9 @@ static bool scattering_body(struct parser *p, struct medium *medium)
     int type;
     struct span span = stream_span(p);
     colour amount;
+    if (!at_expression(p))
+        return error_expected_hint(p, "the kind of scattering, from 1 to 5",
+                                   "1, rgb 1");
     if (!parse_integer(p, &type))
         return false;
     if (type < PHASE_ISOTROPIC || type > PHASE_HENYEY_GREENSTEIN)
@@ -95,6 +98,9 @@ static bool scattering_body(struct parser *p, struct medium *medium)
                         "there are scattering types 1 to 5, found %d", type);
     medium->phase = (enum phase)type;
     accept(p, TOKEN_COMMA);
+    if (stream_peek(p)->kind == TOKEN_RBRACE)
+        return error_expected_hint(p, "how much is scattered, a colour",
+                                   "scattering { 1, rgb 1 }");
     if (!parse_colour(p, &amount))
         return false;
     medium->scattering = colour_rgb(amount);
@@ -102,6 +108,12 @@ static bool scattering_body(struct parser *p, struct medium *medium)
         const struct field *field = accept_field(p, scattering_fields);
         if (!field)
             return error_unknown_item(p, "scattering", scattering_fields);
+        if (type != PHASE_HENYEY_GREENSTEIN &&
+            strcmp(field->name, "eccentricity") == 0)
+            return error_at(p, p->last_span, NULL,
+                            "only scattering of type %d has an eccentricity, "
+                            "this is of type %d",
+                            PHASE_HENYEY_GREENSTEIN, type);
         if (!parse_field(p, field, medium))
             return false;
     }
@@ -114,7 +126,7 @@ static bool parse_scattering(struct parser *p, struct medium *medium)
 {
     struct span open;
     stream_next(p);
-    if (at_number(p))
+    if (stream_peek(p)->kind != TOKEN_LBRACE)
         return error_expected_hint(p, "the kind and the colour in braces",
                                    "{ 1, rgb 1 }");
     return block_begin(p, &open) &&

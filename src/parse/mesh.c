@@ -22,6 +22,19 @@ static bool mesh_check_room(struct parser *p, size_t count)
            error_at(p, p->last_span, NULL, "a mesh has too many triangles");
 }
 
+static bool triangle_short(struct parser *p, int corners, bool smooth)
+{
+    return error_at(
+        p, stream_span(p),
+        smooth ? "smooth_triangle { <corner>, <normal>, <corner>, <normal>, "
+                 "<corner>, <normal> }"
+               : "triangle { <corner>, <corner>, <corner> }",
+        "a %s has three corners%s, here %s",
+        smooth ? "smooth_triangle" : "triangle",
+        smooth ? ", each with its normal" : "",
+        corners == 1 ? "is one" : "are two");
+}
+
 /* triangle_points = vector [","] vector [","] vector
  *                 | vector [","] vector [","] vector [","]
  *                   vector [","] vector [","] vector .
@@ -36,6 +49,8 @@ static bool parse_triangle_points(struct parser *p, struct mesh_builder *b,
         vec3 v;
         if (i > 0)
             accept(p, TOKEN_COMMA);
+        if (i > 0 && stream_peek(p)->kind == TOKEN_RBRACE)
+            return triangle_short(p, i, smooth);
         if (!parse_vector(p, &v))
             return false;
         triangle.vertex[i] = (uint32_t)b->vertices.count;

@@ -23,6 +23,45 @@ static const struct synonym synonyms[] = {
     { "size", "", "dimension_size(A, 1)" },
     { "len", "", "dimension_size(A, 1)" },
     { "return", "", "function(x) { x*x }" },
+    { "macro", "", "#macro NAME(A) ... #end" },
+    { "exists", "", "file_exists(\"NAME\")" },
+    { "checkerboard", NULL, "checker" },
+    { "checkered", NULL, "checker" },
+    { "checkers", NULL, "checker" },
+    { "stripes", NULL, "gradient x" },
+    { "visible", NULL, "no_image" },
+    { "invisible", NULL, "no_image" },
+    { "hidden", NULL, "no_image" },
+    { "clip_by", NULL, "clipped_by" },
+    { "clip", NULL, "clipped_by" },
+    { "halo", "the scene", "media { ... }" },
+    { "halo", NULL, "interior { media { ... } }" },
+    { "atmosphere", "the scene", "media { scattering { 1, rgb 0.1 } }" },
+    { "fog_height", "fog", "fog_alt" },
+    { "density", "fog", "distance" },
+    { "center", "text", "translate -0.5*x" },
+    { "centre", "text", "translate -0.5*x" },
+    { "align", "text", "translate -0.5*x" },
+    { "and", "", "&" },
+    { "or", "", "|" },
+    { "not", "", "!" },
+    { "f_noise", "", "f_noise3d(x, y, z)" },
+    { "version", "the scene", "#version 3.7;" },
+    { "ambient", "global_settings", "ambient_light" },
+    { "gamma", "global_settings", "assumed_gamma" },
+    { "samples", "radiosity", "count" },
+    { "width", "camera", "right 4*x" },
+    { "height", "camera", "up 3*y" },
+    { "isometric", "camera", "orthographic" },
+    { "circle", "light_source", "circular" },
+    { "vertices", "mesh2", "vertex_vectors" },
+    { "points", "mesh2", "vertex_vectors" },
+    { "faces", "mesh2", "face_indices" },
+    { "triangles", "mesh2", "face_indices" },
+    { "normals", "mesh2", "normal_vectors" },
+    { "uvs", "mesh2", "uv_vectors" },
+    { "fresnel", "finish", "reflection { 1 fresnel }" },
+    { "texture_map", "texture", "gradient y texture_map { ... }" },
     { "target", "light_source", "point_at" },
     { "shadows", "light_source", "shadowless" },
     { "shadows", NULL, "no_shadow" },
@@ -143,8 +182,29 @@ static const struct {
     { "endmacro", KEYWORD_END },    { "endswitch", KEYWORD_END },
     { "fi", KEYWORD_END },          { "done", KEYWORD_END },
     { "print", KEYWORD_DEBUG },     { "echo", KEYWORD_DEBUG },
-    { "unset", KEYWORD_UNDEF },
+    { "unset", KEYWORD_UNDEF },     { "until", KEYWORD_WHILE },
+    { "foreach", KEYWORD_FOR },     { "function", KEYWORD_MACRO },
+    { "def", KEYWORD_MACRO },       { "sub", KEYWORD_MACRO },
 };
+
+bool mistaken_degrees(struct parser *p)
+{
+    static const char *const units[] = { "deg", "degs", "degree", "degrees" };
+    const struct token *token = stream_peek(p);
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    bool called = left > 0 && next->kind == TOKEN_LPAREN;
+    for (size_t i = 0; !called && i < sizeof units / sizeof *units; i++)
+        if (token->kind == TOKEN_WORD &&
+            strcmp(token->word->text, units[i]) == 0) {
+            error_at(p, p->token_span, NULL,
+                     "angles are in degrees anyhow, without '%s'; about the y "
+                     "axis: rotate 30*y",
+                     token->word->text);
+            return true;
+        }
+    return false;
+}
 
 enum keyword mistaken_directive_word(const struct word *word)
 {
@@ -308,6 +368,9 @@ static bool mistaken_declaration(struct parser *p)
     }
     const char *text = name.source->text + name.offset;
     int length = (int)strcspn(text, ";\r\n");
+    size_t hash = *text == '#' ? 1 + strspn(text + 1, " \t") : 0;
+    text += hash;
+    length -= (int)hash;
     error_at(p, at,
              length < 60
                  ? arena_printf(p->arena, "#declare %.*s;", length, text)
@@ -323,6 +386,15 @@ bool mistaken_statement(struct parser *p)
            mistaken_declaration(p);
 }
 
+void mistaken_skip_line(struct parser *p, struct span at)
+{
+    struct cursor *cursor = p->cursor;
+    size_t end = mistaken_line_end(at.source, at.offset);
+    while (cursor->index < cursor->end &&
+           cursor->list->tokens[cursor->index].offset < end)
+        cursor->index++;
+}
+
 void mistaken_define(struct parser *p, struct span at)
 {
     struct cursor *cursor = p->cursor;
@@ -330,10 +402,7 @@ void mistaken_define(struct parser *p, struct span at)
     if (token->kind == TOKEN_WORD && !token->word->reserved)
         symbol_set(p, token->word, (struct value){ .kind = VALUE_POISON },
                    false);
-    size_t end = mistaken_line_end(at.source, at.offset);
-    while (cursor->index < cursor->end &&
-           cursor->list->tokens[cursor->index].offset < end)
-        cursor->index++;
+    mistaken_skip_line(p, at);
 }
 
 const struct word *mistaken_case(struct parser *p, const char *text,

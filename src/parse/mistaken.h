@@ -18,6 +18,9 @@ const struct word *mistaken_case(struct parser *p, const char *text,
 /* What the next token was meant to be, where `wanted` was expected; or NULL. */
 const char *mistaken_value(struct parser *p, const char *wanted);
 
+/* If the next token is a unit of angles, as in `30*deg`: reports it. */
+bool mistaken_degrees(struct parser *p);
+
 /* The directive that is meant by the word after a '#', or KEYWORD_NONE. */
 enum keyword mistaken_directive_word(const struct word *word);
 
@@ -28,6 +31,9 @@ bool mistaken_statement(struct parser *p);
 /* After an unknown directive like `#define A 1` was reported: declares the name
  * as something whose uses are not reported, and drops the rest of the line. */
 void mistaken_define(struct parser *p, struct span at);
+
+/* Drops the rest of the line of `at`, up to which was read. */
+void mistaken_skip_line(struct parser *p, struct span at);
 
 /* "srgb <255, 128, 0>/255" for the word ff8000, or NULL. */
 const char *mistaken_hexadecimal(struct parser *p, const struct word *word);

@@ -1,5 +1,8 @@
 /* Operands of expressions: numbers, strings, vectors, parentheses, constants,
  * identifiers, and their components. */
+#include <ctype.h>
+#include <stdlib.h>
+
 #include <limits.h>
 
 #include "parse/array.h"
@@ -37,7 +40,24 @@ void value_promote(struct value *value, int size)
     }
 }
 
-/* A number among arguments, where a string is wanted. */
+/* `V.0`, `V[0]` or `V(0)` of a vector: its parts are V.x, V.y and V.z. */
+static const char *value_as_part(struct parser *p, struct span span,
+                                 const struct value *value, const char *wanted)
+{
+    const char *text = span.source->text + span.offset;
+    if (strcmp(wanted, "a number") != 0 || value->kind != VALUE_VECTOR ||
+        span.length > 40 || !isalpha((unsigned char)*text) ||
+        !strchr(".[(", text[span.length]) || !text[span.length])
+        return NULL;
+    int part = atoi(text + span.length + 1);
+    return arena_printf(p->arena, "%.*s.%c", (int)span.length, text,
+                        part == 1   ? 'y'
+                        : part == 2 ? 'z'
+                                    : 'x');
+}
+
+/* A number among arguments, or behind #debug, #warning or #error (whose last
+ * letters are looked at), where a string is wanted. */
 static const char *value_as_text(struct parser *p, struct span span,
                                  const struct value *value, const char *wanted)
 {
@@ -46,7 +66,7 @@ static const char *value_as_text(struct parser *p, struct span span,
         before--;
     if (strcmp(wanted, "a string") != 0 || value->kind != VALUE_FLOAT ||
         span.length > 40 || before == 0 ||
-        !strchr("(,", span.source->text[before - 1]))
+        !strchr("(,gr", span.source->text[before - 1]))
         return NULL;
     return arena_printf(p->arena, "str(%.*s, 0, 3)", (int)span.length,
                         span.source->text + span.offset);
@@ -58,7 +78,9 @@ static bool value_mismatch(struct parser *p, struct span start,
     if (value_is_poison(value))
         return false;
     struct span span = span_join(start, p->last_span);
-    const char *hint = wanted_signature(p, 0);
+    const char *hint = value_as_part(p, span, value, wanted);
+    if (!hint)
+        hint = wanted_signature(p, 0);
     if (!hint)
         hint = value_as_text(p, span, value, wanted);
     return error_at(p, span, hint, "expected %s, found %s",
@@ -144,6 +166,25 @@ static bool operand_recover(struct parser *p, enum token_kind close, bool ok,
     return true;
 }
 
+/* The same of <1 -1 0>, which is <0, 0>. */
+static void vector_subtracted_first(struct parser *p, struct span open)
+{
+    const char *text = open.source->text;
+    size_t at = open.offset + 1 + strspn(text + open.offset + 1, " ");
+    size_t blank = at + strspn(text + at, "0123456789.");
+    size_t length = text[blank] == ' ' && text[blank + 1] == '-'
+                        ? 1 + strspn(text + blank + 2, "0123456789.")
+                        : 0;
+    if (blank == at || length < 2)
+        return;
+    struct span minus = { open.source, (uint32_t)(blank + 1),
+                          (uint32_t)length };
+    warning_at(p, minus,
+               arena_printf(p->arena, ", %.*s", (int)length, text + blank + 1),
+               "this is subtracted from what stands before it, which leaves "
+               "a vector of 2 components; a comma makes it the second");
+}
+
 const char *subtracted_hint(struct parser *p, struct span *minus)
 {
     struct span last = p->last_span;
@@ -201,16 +242,21 @@ static bool parse_vector_value(struct parser *p, struct value *value)
             break;
         if (size > 2 && !at_number(p))
             return vector_unclosed(p, open);
-        if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
-            vector_subtracted(p, size))
-            return false;
+        if (size == 1 && stream_peek(p)->kind == TOKEN_GREATER)
+            return comma ? error_expected(p, "a number")
+                   : !commas && vector_subtracted(p, size)
+                       ? false
+                       : error_at(p, stream_span(p), NULL,
+                                  "a vector has two components at least; a "
+                                  "number stands without '<' and '>'");
         if (!parse_float(p, &numbers[size++]))
             return false;
         comma = accept(p, TOKEN_COMMA);
         commas |= comma;
     }
-    if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas)
-        vector_subtracted(p, size);
+    if (size == 2 && stream_peek(p)->kind == TOKEN_GREATER && !commas &&
+        !vector_subtracted(p, size))
+        vector_subtracted_first(p, open);
     if (stream_peek(p)->kind == TOKEN_GREATER_EQUAL)
         return error_at(p, p->token_span, "> =",
                         "'>=' is one operator; put a space between the '>' "
@@ -437,6 +483,9 @@ static bool parse_word_operand(struct parser *p, const char *wanted,
         bool ok = operand_recover(p, TOKEN_RPAREN, parse_call(p, value), value);
         return brackets_end(p, outer, ok);
     }
+    if (colour_begins(word->keyword) && strcmp(wanted, "a number") == 0 &&
+        isalpha((unsigned char)p->last_span.source->text[p->last_span.offset]))
+        return error_expected(p, wanted);
     if (colour_begins(word->keyword) && !operand_is_first(p))
         return error_at(p, p->token_span, NULL,
                         "'%s' is only allowed at the beginning of a colour, "

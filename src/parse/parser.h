@@ -174,6 +174,10 @@ bool error_later(struct parser *p, const char *hint, const char *what,
 bool error_unknown_item(struct parser *p, const char *block,
                         const struct field *fields);
 
+/* After an error about the word in the scene: that it belongs into the object
+ * before it, if so. */
+void note_outside(struct parser *p, const struct word *word);
+
 /* ---- unclosed.c ---- */
 
 /* If the next token can't stand in the block it is in because the block lacks
@@ -209,6 +213,10 @@ const char *wanted_example(struct parser *p, const char *wanted);
 struct span library_user(struct parser *p, struct span span);
 
 /* ---- expression.c: values are evaluated as they are read ---- */
+
+/* For a '(' that is missing at `start`: the rest of a short line in
+ * parentheses, up to the next directive; of `#case 1:` the number. */
+const char *condition_hint(struct parser *p, struct span start);
 
 bool parse_expression(struct parser *p, struct value *value);
 bool parse_float(struct parser *p, double *out);
@@ -293,9 +301,14 @@ const char *file_shown(struct parser *p, const char *name);
 const char *item_belongs(struct parser *p, const struct word *word,
                          const char *block);
 
+/* "texture { T }" for a declared texture T where another part of an object is
+ * wanted, or NULL. */
+const char *item_wrapped(struct parser *p, const char *wanted);
+
 /* ---- standard.c ---- */
 
-/* '#include "colors.inc"' if that is what declares the name, or NULL. */
+/* '#include "colors.inc"' if that is what declares the name, the next token, or
+ * NULL; what is called, as in M(1), must be a macro or a function there. */
 const char *standard_include(struct parser *p, const char *name);
 
 /* ---- scene rules: each file has the productions it reads ---- */

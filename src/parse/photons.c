@@ -171,13 +171,18 @@ static const struct field object_photon_names[] = {
 static bool photon_say(struct parser *p, enum photon_said *said)
 {
     bool on;
+    if (!at_expression(p))
+        return error_expected_hint(
+            p, "'on' or 'off'",
+            arena_printf(p->arena, "%.*s on", (int)p->last_span.length,
+                         p->last_span.source->text + p->last_span.offset));
     bool ok = parse_bool(p, &on);
     *said = on ? PHOTON_ON : PHOTON_OFF;
     return ok;
 }
 
-/* photon_flag = "target" [bool | float] | "refraction" [bool]
- *             | "reflection" [bool] | "collect" [bool]
+/* photon_flag = "target" [bool | float] | "refraction" bool
+ *             | "reflection" bool | "collect" [bool]
  *             | "area_light" [bool] | "pass_through" [bool] .
  * A number after `target` multiplies the distance of its photons. */
 static bool parse_photon_flag(struct parser *p, struct photon_flags *flags)

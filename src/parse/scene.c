@@ -1,5 +1,6 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/macro.h"
 #include "parse/mistaken.h"
 #include "parse/rules.h"
 
@@ -291,6 +292,61 @@ static bool scene_setting(struct parser *p)
     return parse_global_setting(p);
 }
 
+/* What other languages, or a slip, leave between the objects of a scene. */
+static bool scene_stray(struct parser *p)
+{
+    enum token_kind kind = stream_peek(p)->kind;
+    struct span at = stream_span(p);
+    const char *text = at.source->text + at.offset;
+    if (kind == TOKEN_COMMA) {
+        error_at(p, at, NULL, "no comma stands between objects");
+        return true;
+    }
+    if (kind == TOKEN_STAR && text[1] == '/') {
+        at.length = 2;
+        error_at(p, at, NULL, "this '*/' ends no comment; '/*' begins one");
+        stream_next(p);
+        return true;
+    }
+    if (kind == TOKEN_MINUS && text[1] == '-') {
+        at.length = 2;
+        error_at(p, at, "//", "a comment begins with '//'");
+        size_t end = at.offset + strcspn(text, "\r\n");
+        while (stream_peek(p)->kind != TOKEN_END &&
+               p->token_span.source == at.source && p->token_span.offset < end)
+            stream_next(p);
+        return true;
+    }
+    if (kind != TOKEN_MINUS && kind != TOKEN_PLUS && kind != TOKEN_STAR)
+        return false;
+    error_at(p, at,
+             kind == TOKEN_MINUS  ? "difference { A B }"
+             : kind == TOKEN_PLUS ? "union { A B }"
+                                  : "intersection { A B }",
+             "objects are put together by a block, not by '%c'", *text);
+    return true;
+}
+
+/* `Chair(1) { translate x }`: the next token, a '{', is behind a call. */
+static bool scene_behind_call(struct parser *p)
+{
+    const struct cursor *cursor = p->cursor;
+    const struct token *tokens = cursor->list->tokens;
+    size_t at = cursor->index;
+    int depth = 0;
+    if (at < 4 || cursor->list->source != p->token_span.source ||
+        tokens[at -= 2].kind != TOKEN_RPAREN)
+        return false;
+    for (; at > 0; at--) {
+        depth += tokens[at].kind == TOKEN_RPAREN;
+        depth -= tokens[at].kind == TOKEN_LPAREN;
+        if (depth == 0)
+            break;
+    }
+    return at > 0 && tokens[at - 1].kind == TOKEN_WORD &&
+           macro_is_call(p, tokens[at - 1].word);
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
@@ -303,24 +359,27 @@ static bool scene_unknown(struct parser *p)
         error_at(p, stream_span(p),
                  "#ifdef (Glim) global_settings { ... } #end",
                  "this belongs into 'global_settings'");
-    else if (at_declarable(p))
+    else if (at_declarable(p)) {
+        const struct word *word = stream_peek(p)->word;
         error_at(p, stream_span(p),
-                 arena_printf(p->arena, "#declare NAME = %s ...",
-                              stream_peek(p)->word->text),
-                 "'%s' is not allowed in the scene by itself",
-                 stream_peek(p)->word->text);
-    else if (kind == TOKEN_WORD)
+                 arena_printf(p->arena, "#declare NAME = %s ...", word->text),
+                 "'%s' is not allowed in the scene by itself", word->text);
+        note_outside(p, word);
+    } else if (kind == TOKEN_WORD)
         error_unknown_item(p, "the scene", NULL);
     else if (kind == TOKEN_SEMICOLON)
         error_at(p, stream_span(p), NULL,
                  "no ';' stands here: it ends #declare, #local and #version");
     else if (kind == TOKEN_RBRACE)
         error_at(p, stream_span(p), NULL, "this '}' closes nothing");
+    else if (kind == TOKEN_LBRACE && scene_behind_call(p))
+        error_at(p, stream_span(p), "object { NAME(...) ... }",
+                 "what a macro makes is moved and coloured in 'object { }'");
     else if (kind == TOKEN_LBRACE)
         error_at(p, stream_span(p), NULL,
                  "no item of the scene stands before this '{'; what belongs "
                  "to a directive ends with '#end' and has no braces");
-    else
+    else if (!scene_stray(p))
         error_expected(p, "an object or another item of the scene");
     if (kind != TOKEN_LBRACE)
         stream_next(p);

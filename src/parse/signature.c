@@ -24,8 +24,11 @@ const char *primitive_signature(struct parser *p, const char *name)
         return NULL;
     const char *text = arena_printf(p->arena, "%s {", name);
     for (int i = 0; field[i].name && i < SIGNATURE_LIMIT; i++) {
-        if (field[i].optional || field[i].kind == FIELD_POINTS ||
-            field[i].kind == FIELD_POINTS2)
+        bool points =
+            field[i].kind == FIELD_POINTS || field[i].kind == FIELD_POINTS2;
+        if (i == 0 && points)
+            return arena_printf(p->arena, "%s 4, <point>, <point> ... }", text);
+        if (field[i].optional || points)
             return arena_printf(p->arena, "%s ... }", text);
         bool vector = field_is_vector(&field[i]);
         text =

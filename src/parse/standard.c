@@ -3,6 +3,7 @@
 #include <ctype.h>
 
 #include "parse/parser.h"
+#include "parse/stream.h"
 
 /* Those a scene would include by itself. */
 static const char *const standard_files[] = {
@@ -34,28 +35,39 @@ static bool standard_is_word(const char *at, const char *word)
     return strncmp(at, word, length) == 0 && !standard_is_name(at[length]);
 }
 
-static bool standard_declares(const char *text, const char *name)
+/* Whether `= function` or, of a macro, '(' follows. */
+static bool standard_is_called(const char *text, bool macro)
+{
+    text += strspn(text, " \t");
+    if (macro || *text != '=')
+        return macro;
+    text += 1 + strspn(text + 1, " \t\r\n");
+    return standard_is_word(text, "function");
+}
+
+static bool standard_declares(const char *text, const char *name, bool called)
 {
     while ((text = strchr(text, '#')) != NULL) {
         text += 1 + strspn(text + 1, " \t");
-        if (!standard_is_word(text, "declare") &&
-            !standard_is_word(text, "macro"))
+        bool macro = standard_is_word(text, "macro");
+        if (!standard_is_word(text, "declare") && !macro)
             continue;
         text += strcspn(text, " \t\n");
         text += strspn(text, " \t");
-        if (standard_is_word(text, name))
+        if (standard_is_word(text, name) &&
+            (!called || standard_is_called(text + strlen(name), macro)))
             return true;
     }
     return false;
 }
 
 static bool standard_file_declares(struct parser *p, const char *file,
-                                   const char *name)
+                                   const char *name, bool called)
 {
     const char *problem, *path = file_find(p, file, NULL);
     const struct source *source =
         path ? source_read(p->arena, path, span_none(), &problem) : NULL;
-    return source && standard_declares(source->text, name);
+    return source && standard_declares(source->text, name, called);
 }
 
 const char *standard_include(struct parser *p, const char *name)
@@ -63,11 +75,17 @@ const char *standard_include(struct parser *p, const char *name)
     size_t files = sizeof standard_files / sizeof *standard_files;
     size_t parts = sizeof standard_parts / sizeof *standard_parts;
     const char *found = NULL;
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    bool called = left > 0 && next->kind == TOKEN_LPAREN;
+    /* One letter is what an include counts with, and never what is meant. */
+    if (strlen(name) < 2)
+        return NULL;
     for (size_t i = 0; i < files && !found; i++)
-        if (standard_file_declares(p, standard_files[i], name))
+        if (standard_file_declares(p, standard_files[i], name, called))
             found = standard_files[i];
     for (size_t i = 0; i < parts && !found; i++)
-        if (standard_file_declares(p, standard_parts[i][0], name))
+        if (standard_file_declares(p, standard_parts[i][0], name, called))
             found = standard_parts[i][1];
     return found ? arena_printf(p->arena, "#include \"%s\"", found) : NULL;
 }

@@ -191,6 +191,9 @@ static bool parse_text_arguments(struct parser *p, struct object *text)
     if (!parse_string(p, &string))
         return false;
     accept(p, TOKEN_COMMA);
+    if (!at_expression(p))
+        return error_expected_hint(p, "how thick the letters are, a number",
+                                   "text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
     if (!parse_float(p, &thickness))
         return false;
     accept(p, TOKEN_COMMA);

@@ -125,9 +125,10 @@ static bool else_run(struct parser *p, struct span at)
 static bool range_ends(struct parser *p, double *first, double *last)
 {
     struct span open = stream_span(p);
-    return expect(p, TOKEN_LPAREN, span_none()) && parse_float(p, first) &&
-           (accept(p, TOKEN_COMMA) || true) && parse_float(p, last) &&
-           expect(p, TOKEN_RPAREN, open);
+    if (!accept(p, TOKEN_LPAREN))
+        return error_expected_hint(p, "'('", condition_hint(p, open));
+    return parse_float(p, first) && (accept(p, TOKEN_COMMA) || true) &&
+           parse_float(p, last) && expect(p, TOKEN_RPAREN, open);
 }
 
 static bool switch_matches(struct parser *p, enum keyword stop, double value,
@@ -196,7 +197,8 @@ static bool case_run(struct parser *p, struct span at)
     struct open_block *block = directive_block(p);
     bool ignored;
     if (!block || block->kind != BLOCK_SWITCH)
-        return error_at(p, at, NULL, "'#case' without '#switch'");
+        return error_at(p, at, "#switch (VALUE) #case (1)",
+                        "'#case' without '#switch'");
     return switch_matches(p, KEYWORD_CASE, 0, &ignored);
 }
 
@@ -206,7 +208,8 @@ static bool range_run(struct parser *p, struct span at)
     struct open_block *block = directive_block(p);
     bool ignored;
     if (!block || block->kind != BLOCK_SWITCH)
-        return error_at(p, at, NULL, "'#range' without '#switch'");
+        return error_at(p, at, "#switch (VALUE) #range (0, 1)",
+                        "'#range' without '#switch'");
     return switch_matches(p, KEYWORD_RANGE, 0, &ignored);
 }
 

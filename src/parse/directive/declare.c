@@ -1,4 +1,6 @@
 /* #declare #local #undef: names for values. */
+#include <ctype.h>
+
 #include "parse/array.h"
 #include "parse/directive.h"
 #include "parse/expression.h"
@@ -60,6 +62,14 @@ static bool declare_name_ends(struct parser *p)
     return error_at(p, name, hint, "a name is made of letters, digits and '_'");
 }
 
+/* The reserved word with a capital letter, which is free. */
+static const char *declare_capital(struct parser *p, const struct word *word)
+{
+    const char *name = arena_printf(
+        p->arena, "%c%s", toupper((unsigned char)*word->text), word->text + 1);
+    return word_intern(p->words, name, strlen(name))->reserved ? NULL : name;
+}
+
 static bool declare_name(struct parser *p, const struct word **name)
 {
     const struct token *token = stream_peek(p);
@@ -67,7 +77,7 @@ static bool declare_name(struct parser *p, const struct word **name)
         return declare_begins_wrong(p) ||
                error_expected(p, "a name to declare");
     if (token->word->reserved)
-        return error_at(p, p->token_span, NULL,
+        return error_at(p, p->token_span, declare_capital(p, token->word),
                         "'%s' is a reserved word; declare another name",
                         token->word->text);
     *name = stream_next(p).word;
@@ -140,10 +150,14 @@ static bool declare_place(struct parser *p, struct declaration *head)
     return array_element(p, symbol->value.array, &head->slot);
 }
 
-/* `i++` and `i += 2`, as other languages have it. */
+/* `i++`, `i += 2`, `i : 2` and `f(x) = ...`, as other languages have it. */
 static const char *declare_counted(struct parser *p, const struct word *name)
 {
     enum token_kind kind = stream_peek_infix(p)->kind;
+    if (kind == TOKEN_COLON)
+        return "=";
+    if (kind == TOKEN_LPAREN)
+        return "= function(x) { ... }";
     if (kind != TOKEN_PLUS && kind != TOKEN_MINUS && kind != TOKEN_STAR &&
         kind != TOKEN_SLASH)
         return NULL;
