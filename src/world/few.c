@@ -249,7 +249,7 @@ CLONES static void beam_meets(const struct beam *restrict beam,
         const double *top = boxes->side[1][k] + first;
         for (int i = 0; beam->spread && i < FEW_ROW; i++)
             leave[i] =
-                (bottom[i] > high) | (top[i] < low) ? -HUGE_VAL : leave[i];
+                ((bottom[i] > high) | (top[i] < low)) ? -HUGE_VAL : leave[i];
         for (int i = 0; beam->axis[k].known && i < FEW_ROW; i++) {
             double to = near[i] - in_from, from = far[i] - out_from;
             enter[i] = greater(enter[i], lesser(to * least, to * most));
