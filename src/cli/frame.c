@@ -182,6 +182,15 @@ static struct world *frame_world(struct work *work, const struct scene *scene)
                      &work->diag);
 }
 
+/* For what is said elsewhere. */
+static struct diag work_silent(const struct work *work)
+{
+    struct diag silent = work->diag;
+    silent.listen = NULL;
+    silent.out = NULL;
+    return silent;
+}
+
 /* Begins the lighting of a frame, for the points of others. */
 static void root_light(struct work *work, const struct scene *scene,
                        struct diag *diag)
@@ -211,15 +220,25 @@ static void root_try(struct work *work, const struct scene *scene, int number,
 {
     struct arena *arena = arena_new(0);
     struct parse_options parse = frame_parsing(work, number);
-    struct diag silent = work->diag;
-    silent.listen = NULL;
-    silent.out = NULL;
+    struct diag silent = work_silent(work);
     struct scene *other = parse_scene(work->source, &parse, arena, &silent);
     if (other && (moves || fingerprints_same(scene_fingerprint(scene, true),
                                              scene_fingerprint(other, true))))
         root_light(work, other, &silent);
     scene_free(other);
     arena_free(arena);
+}
+
+/* The same of the last frame, which is kept only if it is in a chamber: returns
+ * whether it is. */
+static bool root_last(struct work *work, const struct scene *scene, bool moves)
+{
+    root_try(work, scene, work->options.frames.last, moves);
+    if (work->kept.inside)
+        return true;
+    memory_free(work->kept.bytes);
+    work->kept = (struct lighting_kept){ .bytes = NULL };
+    return false;
 }
 
 /* Before the first frame of an animation that this process draws: all of them
@@ -235,12 +254,7 @@ static void root_make(struct work *work, const struct scene *scene, int number)
         options->light.light_mesh.load_file || options->probe)
         return;
     work->root_tried = true;
-    root_try(work, scene, frames->last, false);
-    if (work->kept.inside)
-        return;
-    memory_free(work->kept.bytes);
-    work->kept = (struct lighting_kept){ .bytes = NULL };
-    if (number != frames->first)
+    if (!root_last(work, scene, false) && number != frames->first)
         root_try(work, scene, frames->first, false);
 }
 
@@ -250,19 +264,12 @@ static void root_make(struct work *work, const struct scene *scene, int number)
 static bool root_follow(struct work *work, const struct scene *scene,
                         const void *state)
 {
-    const struct frames *frames = &work->options.frames;
     if (!work->root_tried || work->kept.bytes || work->root_followed)
         return false;
     work->root_followed = true;
     struct lighting_kept own = work->lighting->keep(state);
     memory_free(own.bytes);
-    if (own.inside)
-        root_try(work, scene, frames->last, true);
-    if (work->kept.inside)
-        return true;
-    memory_free(work->kept.bytes);
-    work->kept = (struct lighting_kept){ .bytes = NULL };
-    return false;
+    return own.inside && root_last(work, scene, true);
 }
 
 /* Lights the world. */
@@ -281,9 +288,9 @@ static bool frame_light(struct work *work, const struct world *world,
     tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
     if (tracer.lighting_state &&
         root_follow(work, scene, tracer.lighting_state)) {
+        struct diag silent = work_silent(work); /* it was said already */
         lighting->finish(tracer.lighting_state);
-        tracer.lighting_state =
-            lighting->start(world, scene, &light, &work->diag);
+        tracer.lighting_state = lighting->start(world, scene, &light, &silent);
     }
     stats_world(stats, world);
     if (!tracer.lighting_state)

@@ -57,11 +57,23 @@ static const char *guess_spelling(struct arena *arena, const char *name,
 }
 
 /* What other programs call it. */
+struct synonym {
+    const char *name, *meant;
+};
+
+static const char *synonym_find(const struct synonym *synonyms, size_t count,
+                                const char *name)
+{
+    for (size_t i = 0; i < count; i++)
+        if (text_equal_nocase(name, synonyms[i].name))
+            return synonyms[i].meant;
+    return NULL;
+}
+
+/* On the command line, */
 static const char *guess_synonym(const char *name)
 {
-    static const struct {
-        const char *name, *meant;
-    } synonyms[] = {
+    static const struct synonym synonyms[] = {
         { "output", "+Oname" },
         { "out", "+Oname" },
         { "input", "+Iscene.pov" },
@@ -86,18 +98,13 @@ static const char *guess_synonym(const char *name)
         { "cores", "--threads 4" },
         { "cpus", "--threads 4" },
     };
-    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
-        if (text_equal_nocase(name, synonyms[i].name))
-            return synonyms[i].meant;
-    return NULL;
+    return synonym_find(synonyms, sizeof synonyms / sizeof *synonyms, name);
 }
 
-/* The same in an INI file. */
+/* and in an INI file. */
 static const char *guess_key(const char *name)
 {
-    static const struct {
-        const char *name, *meant;
-    } synonyms[] = {
+    static const struct synonym synonyms[] = {
         { "antialias_method", "Sampling_Method=2" },
         { "antialiasing_method", "Sampling_Method=2" },
         { "antialias_level", "Antialias_Depth=3" },
@@ -120,10 +127,7 @@ static const char *guess_key(const char *name)
         { "file_type", "Output_File_Type=N" },
         { "gamma", "File_Gamma=sRGB" },
     };
-    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
-        if (text_equal_nocase(name, synonyms[i].name))
-            return synonyms[i].meant;
-    return NULL;
+    return synonym_find(synonyms, sizeof synonyms / sizeof *synonyms, name);
 }
 
 const char *option_scene_near(struct arena *arena, const char *name)

@@ -5,6 +5,7 @@
 
 #include "base/draw.h"
 #include "base/memory.h"
+#include "base/morton.h"
 #include "base/warp.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/tuning.h"
@@ -26,11 +27,7 @@ vec3 gather_way(uint64_t key, uint32_t index)
  * 1966) go nearly the same way. */
 static uint32_t pair_place(const double u[2])
 {
-    uint32_t place = 0;
-    for (int bit = 1; bit <= 8; bit++)
-        for (int i = 0; i < 2; i++)
-            place = place << 1 | ((uint32_t)ldexp(u[i], bit) & 1);
-    return place;
+    return morton_place((uint32_t)(256 * u[1]), (uint32_t)(256 * u[0]));
 }
 
 /* Ways wind around the sphere along a spiral, from pole to pole by equal areas:

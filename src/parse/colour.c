@@ -3,6 +3,7 @@
 
 #include "parse/array.h"
 #include "parse/expression.h"
+#include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
 
@@ -109,8 +110,7 @@ static bool channel_missing(struct parser *p)
     struct span span = p->last_span;
     const char *text = span.source->text + span.offset;
     const char *word = arena_printf(p->arena, "%.*s", (int)span.length, text);
-    const char *capital =
-        arena_printf(p->arena, "%c%s", toupper((unsigned char)*word), word + 1);
+    const char *capital = mistaken_capital(p, word);
     if (symbol_find(p, word_intern(p->words, capital, strlen(capital))))
         return error_at(p, span, capital,
                         "'%s' wants a number after it; the colour has a "
@@ -152,8 +152,7 @@ static const char *colour_quoted(struct parser *p, const struct value *value)
     const char *text = value->kind == VALUE_STRING ? value->text : "";
     return isalpha((unsigned char)*text) && strlen(text) <= LONGEST &&
                    !text[strcspn(text, " ./")]
-               ? arena_printf(p->arena, "%c%s", toupper((unsigned char)*text),
-                              text + 1)
+               ? mistaken_capital(p, text)
                : NULL;
 }
 

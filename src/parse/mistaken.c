@@ -405,6 +405,12 @@ void mistaken_define(struct parser *p, struct span at)
     mistaken_skip_line(p, at);
 }
 
+const char *mistaken_capital(struct parser *p, const char *text)
+{
+    return arena_printf(p->arena, "%c%s", toupper((unsigned char)*text),
+                        text + 1);
+}
+
 const struct word *mistaken_case(struct parser *p, const char *text,
                                  size_t length)
 {

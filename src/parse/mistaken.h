@@ -15,6 +15,9 @@ const char *mistaken_word(const struct word *word, const char *block);
 const struct word *mistaken_case(struct parser *p, const char *text,
                                  size_t length);
 
+/* The word with a capital letter. */
+const char *mistaken_capital(struct parser *p, const char *text);
+
 /* What the next token was meant to be, where `wanted` was expected; or NULL. */
 const char *mistaken_value(struct parser *p, const char *wanted);
 

@@ -311,10 +311,8 @@ static bool scene_stray(struct parser *p)
     if (kind == TOKEN_MINUS && text[1] == '-') {
         at.length = 2;
         error_at(p, at, "//", "a comment begins with '//'");
-        size_t end = at.offset + strcspn(text, "\r\n");
-        while (stream_peek(p)->kind != TOKEN_END &&
-               p->token_span.source == at.source && p->token_span.offset < end)
-            stream_next(p);
+        mistaken_skip_line(p, at);
+        stream_next(p);
         return true;
     }
     if (kind != TOKEN_MINUS && kind != TOKEN_PLUS && kind != TOKEN_STAR)

@@ -12,6 +12,7 @@
 
 #include "base/draw.h"
 #include "base/memory.h"
+#include "base/morton.h"
 #include "base/parallel.h"
 #include "base/warp.h"
 #include "shade/shadow.h"
@@ -95,15 +96,6 @@ static const struct wall_patch *patch_at(const struct exchange *exchange,
     return &exchange->patches->items[exchange->order[place]];
 }
 
-/* The bits of a number with a bit between each and the next. */
-static uint32_t bits_apart(uint32_t bits)
-{
-    bits = (bits | bits << 8) & 0x00ff00ff;
-    bits = (bits | bits << 4) & 0x0f0f0f0f;
-    bits = (bits | bits << 2) & 0x33333333;
-    return (bits | bits << 1) & 0x55555555;
-}
-
 /* Where a patch is on its wall, along the curve, and which wall that is. */
 static struct draws patch_draws(const struct exchange *exchange,
                                 const struct wall_patch *patch)
@@ -113,7 +105,7 @@ static struct draws patch_draws(const struct exchange *exchange,
     uint64_t wall = (uint64_t)(at[axis] * SIDES + side);
     uint32_t u = (uint32_t)at[(axis + 1) % 3], v = (uint32_t)at[(axis + 2) % 3];
     return (struct draws){ random_key(exchange->sight->scene.seed, wall),
-                           bits_apart(u) | bits_apart(v) << 1 };
+                           morton_place(u, v) };
 }
 
 /* The ray begins above its patch, not farther along: in a corner it would be

@@ -1,9 +1,8 @@
 /* #declare #local #undef: names for values. */
-#include <ctype.h>
-
 #include "parse/array.h"
 #include "parse/directive.h"
 #include "parse/expression.h"
+#include "parse/mistaken.h"
 #include "parse/symbol.h"
 
 /* What stands before the '='. */
@@ -65,8 +64,7 @@ static bool declare_name_ends(struct parser *p)
 /* The reserved word with a capital letter, which is free. */
 static const char *declare_capital(struct parser *p, const struct word *word)
 {
-    const char *name = arena_printf(
-        p->arena, "%c%s", toupper((unsigned char)*word->text), word->text + 1);
+    const char *name = mistaken_capital(p, word->text);
     return word_intern(p->words, name, strlen(name))->reserved ? NULL : name;
 }
 
