@@ -59,7 +59,7 @@ static bool command_once(struct command *command)
             command->status = WORK_DONE;
         again = !answers;
     }
-    memory_free(work.kept.bytes);
+    lighting_forget(&work.kept);
     again = again && command_watch(command, &work);
     arena_free(arena);
     return again;

@@ -139,10 +139,10 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
         return;
     struct lighting_kept kept = tracer->lighting->keep(tracer->lighting_state);
     if (work->kept.bytes && work->kept.family != kept.family) {
-        memory_free(kept.bytes);
+        lighting_forget(&kept);
         return;
     }
-    memory_free(work->kept.bytes);
+    lighting_forget(&work->kept);
     work->kept = kept;
 }
 
@@ -236,8 +236,7 @@ static bool root_last(struct work *work, const struct scene *scene, bool moves)
     root_try(work, scene, work->options.frames.last, moves);
     if (work->kept.inside)
         return true;
-    memory_free(work->kept.bytes);
-    work->kept = (struct lighting_kept){ .bytes = NULL };
+    lighting_forget(&work->kept);
     return false;
 }
 
@@ -268,8 +267,9 @@ static bool root_follow(struct work *work, const struct scene *scene,
         return false;
     work->root_followed = true;
     struct lighting_kept own = work->lighting->keep(state);
-    memory_free(own.bytes);
-    return own.inside && root_last(work, scene, true);
+    bool inside = own.inside;
+    lighting_forget(&own);
+    return inside && root_last(work, scene, true);
 }
 
 /* Lights the world. */

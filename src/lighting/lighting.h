@@ -10,17 +10,29 @@
 #ifndef LIGHTING_LIGHTING_H
 #define LIGHTING_LIGHTING_H
 
+#include "base/memory.h"
 #include "base/worker.h"
 #include "shade/first_hits.h"
 #include "shade/surface.h"
 
-/* What a method knows after a picture, to be used in the next. */
+struct pieces_kept;
+
+/* What a method knows after a picture, to be used in the next: frees with
+ * lighting_forget. */
 struct lighting_kept {
-    void *bytes; /* freed with memory_free; NULL: nothing */
+    void *bytes; /* NULL: nothing */
     size_t size;
     uint64_t family; /* the same of all that may be used in one picture */
-    bool inside;     /* begun in a chamber: it knows what lights it */
+    bool inside;     /* begun in a chamber: it knows what lights it, */
+    struct pieces_kept *pieces; /* and how that was cut, or NULL */
 };
+
+static inline void lighting_forget(struct lighting_kept *kept)
+{
+    memory_free(kept->bytes);
+    memory_free(kept->pieces);
+    *kept = (struct lighting_kept){ .bytes = NULL };
+}
 
 /* When that may be used. */
 enum kept_use {

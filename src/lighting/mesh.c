@@ -85,7 +85,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     done = done && interpolation &&
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
-                            diag));
+                            mesh->rooted ? options->kept->pieces : NULL, diag));
     const struct skeleton *closing = mesh->close.skeleton;
     mesh->ambience.everywhere |= closing && closing->ambience.everywhere;
     if (done && known.found)
@@ -136,11 +136,11 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct lighting_options *options)
 {
     struct mesh_frame root;
-    bool rooted = mesh_known_root(&mesh->stamp, options, &root);
+    mesh->rooted = mesh_known_root(&mesh->stamp, options, &root);
     mesh->survey =
-        mesh_survey(mesh, scene, options, rooted ? &root.bright : NULL);
+        mesh_survey(mesh, scene, options, mesh->rooted ? &root.bright : NULL);
     mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey, 0);
-    mesh->follows = rooted && plan_follow(&mesh->stamp.frame, &root);
+    mesh->follows = mesh->rooted && plan_follow(&mesh->stamp.frame, &root);
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,
@@ -189,10 +189,13 @@ static struct lighting_kept mesh_keep(const void *state)
     const struct mesh_lighting *mesh = state;
     const struct point_mesh *meshes[MESHES_MAX];
     size_t count = mesh_points(mesh, meshes);
-    struct lighting_kept kept;
+    const struct skeleton *closing = mesh->close.skeleton;
+    struct lighting_kept kept = {
+        .family = mesh_stamp_family(&mesh->stamp),
+        .inside = mesh->stamp.frame.closed,
+        .pieces = closing ? skeleton_keep(closing) : NULL,
+    };
     kept.bytes = mesh_file_pack(&mesh->stamp, meshes, count, &kept.size);
-    kept.family = mesh_stamp_family(&mesh->stamp);
-    kept.inside = mesh->stamp.frame.closed;
     return kept;
 }
 

@@ -5,12 +5,14 @@
 
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
                      const struct scene *scene,
-                     const struct lighting_options *options, struct diag *diag)
+                     const struct lighting_options *options,
+                     const struct pieces_kept *root, struct diag *diag)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
                                        .still = true,
-                                       .rays = CLOSE_RAYS };
+                                       .rays = CLOSE_RAYS,
+                                       .root = root };
     *close = (struct void_skeleton){ NULL, NULL };
     if (!said->indirect.on || !said->indirect.skeleton)
         return true;

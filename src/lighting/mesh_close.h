@@ -5,11 +5,12 @@
 
 #include "lighting/void_skeleton.h"
 
-/* The skeleton, or none if the scene wants none. False as of
- * void_skeleton_make. */
+/* The skeleton, or none if the scene wants none. `root`: as in struct
+ * skeleton_options. False as of void_skeleton_make. */
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
                      const struct scene *scene,
-                     const struct lighting_options *options, struct diag *diag);
+                     const struct lighting_options *options,
+                     const struct pieces_kept *root, struct diag *diag);
 
 /* A gather_close; `context` is the skeleton. */
 bool mesh_close_light(const void *context, struct worker *worker, vec3 place,

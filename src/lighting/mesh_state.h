@@ -30,7 +30,8 @@ struct mesh_lighting {
     struct lattice_view direct_view, indirect_view;
     double finest; /* of these views: 0 but for a mesh that is kept */
     struct mesh_stamp stamp;
-    bool follows;      /* its frame is that of its animation's root */
+    bool rooted;       /* its animation has a root, where something moves, */
+    bool follows;      /* whose frame it has */
     int width, height; /* of the picture, pixels */
 };
 

@@ -155,7 +155,7 @@ static struct lighting_kept paper_keep(const void *state)
     const struct paper_lighting *paper = state;
     const struct point_mesh *meshes[PAPER_MESHES];
     size_t count = paper_points(paper, meshes);
-    struct lighting_kept kept;
+    struct lighting_kept kept = { .inside = false };
     kept.bytes = mesh_file_pack(&paper->stamp, meshes, count, &kept.size);
     kept.family = mesh_stamp_family(&paper->stamp);
     return kept;

@@ -18,6 +18,7 @@ bool void_skeleton_make(struct void_skeleton *made, const struct world *world,
         .threads = options->threads,
         .stop = options->stop,
         .rays = wish.rays,
+        .root = wish.root,
     };
     const struct grid_wish grid = { said > 0 ? said : wish.resolution,
                                     wish.still };

@@ -19,7 +19,8 @@ struct void_skeleton_wish {
     int resolution;        /* voxels along the longest side if the scene says
                             * nothing; 0: as skeletons have that are shown */
     bool still;            /* as of struct grid_wish */
-    size_t rays;           /* as in struct skeleton_options */
+    size_t rays;           /* as in struct skeleton_options, */
+    const struct pieces_kept *root; /* and this */
 };
 
 /* As the scene's skeleton {} says, and the wish. If no light gets to where the

@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 14 };
+enum { MESH_VERSION = 15 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 

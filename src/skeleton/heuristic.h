@@ -3,6 +3,7 @@
 #ifndef SKELETON_HEURISTIC_H
 #define SKELETON_HEURISTIC_H
 
+#include "skeleton/pieces.h"
 #include "skeleton/skeleton.h"
 
 struct heuristic {
@@ -28,6 +29,8 @@ struct heuristic {
      * numbers. NULL: not known. */
     rgb (*seen)(const struct skeleton *skeleton, const struct ray *ray,
                 uint64_t key, double *distance);
+    /* How it has cut the void; or NULL. */
+    const struct pieces *(*pieces)(const struct skeleton *skeleton);
     /* What a surface outside of the grid gets besides; NULL: nothing. */
     rgb (*outside)(const struct skeleton *skeleton, vec3 normal);
 };

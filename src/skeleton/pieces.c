@@ -2,7 +2,10 @@
  * joined in raster order (union-find). */
 #include "skeleton/pieces.h"
 
+#include <string.h>
+
 #include "base/memory.h"
+#include "base/side.h"
 
 enum {
     FINEST = 32,        /* the least width is so small a part of the grid */
@@ -19,9 +22,10 @@ struct cutting {
     const uint32_t *nearest;
     const struct graph *graph;
     const struct chambers *chambers;
+    const struct pieces_kept *root; /* whose cells these are, or NULL */
     struct pieces *pieces;
     uint32_t *cell;  /* of each voxel, its chamber; then its cell, counted over
-                      * all chambers */
+                      * all chambers, or root's piece */
     uint32_t *up;    /* trees of voxels: up leads to an earlier one */
     uint32_t *first; /* the first cell of each chamber */
 };
@@ -195,35 +199,146 @@ static void cutting_cut(struct cutting *cutting, double radii)
     cutting_number(cutting);
 }
 
+static bool cutting_lacks(const struct cutting *cutting, size_t voxel)
+{
+    return cutting->cell[voxel] == PIECE_NONE &&
+           cutting->nearest[voxel] != GRAPH_NONE;
+}
+
+/* Void that no piece of the root had, since there was matter then, becomes part
+ * of the cell that is next to it through the void; what none gets to is one
+ * cell more. */
+static void cutting_spread(struct cutting *cutting)
+{
+    const struct voxels *voxels = cutting->voxels;
+    size_t count = voxels_count(voxels), end = 0;
+    uint32_t *reached = memory_new(count * sizeof *reached);
+    for (size_t i = 0; i < count; i++)
+        if (cutting->cell[i] != PIECE_NONE)
+            reached[end++] = (uint32_t)i;
+    for (size_t i = 0; i < end; i++)
+        for (int side = 0; side < SIDES; side++) {
+            int at[3];
+            voxels_place(voxels, reached[i], at);
+            at[side / 2] += side % 2 ? -1 : 1;
+            if (!voxels_holds(voxels, at))
+                continue;
+            size_t next = voxels_index(voxels, at[0], at[1], at[2]);
+            if (!cutting_lacks(cutting, next))
+                continue;
+            cutting->cell[next] = cutting->cell[reached[i]];
+            reached[end++] = (uint32_t)next;
+        }
+    memory_free(reached);
+    for (size_t i = 0; i < count; i++)
+        if (cutting_lacks(cutting, i))
+            cutting->cell[i] = (uint32_t)cutting->root->pieces.count;
+}
+
+/* The root's cells: what moves may part them, or give them more void. */
+static void cutting_follow(struct cutting *cutting)
+{
+    const struct pieces *root = &cutting->root->pieces;
+    size_t count = voxels_count(cutting->voxels);
+    memcpy(cutting->pieces->cells, root->cells,
+           root->chambers * sizeof *root->cells);
+    for (size_t i = 0; i < count; i++)
+        cutting->cell[i] =
+            cutting->nearest[i] == GRAPH_NONE ? PIECE_NONE : root->of_voxel[i];
+    cutting_spread(cutting);
+    cutting_connect(cutting);
+    cutting_number(cutting);
+}
+
+static void cutting_own(struct cutting *cutting)
+{
+    double radii = cell_width;
+    cutting_cut(cutting, radii);
+    for (int i = 0; i < COARSER && cutting->pieces->count > PIECES_MOST; i++)
+        cutting_cut(cutting, radii *= 1.5);
+}
+
+/* The root's chamber of a voxel; of what is in none of them the first will do.
+ */
+static uint32_t root_chamber(const struct cutting *cutting, size_t voxel)
+{
+    const struct pieces *root = &cutting->root->pieces;
+    uint32_t piece = cutting->cell[voxel];
+    return piece < root->count ? root->chamber[piece] : 0;
+}
+
+/* The chamber of each piece, which all of its voxels are in. */
+static void cutting_name(struct cutting *cutting)
+{
+    struct pieces *pieces = cutting->pieces;
+    size_t count = voxels_count(cutting->voxels);
+    for (size_t i = 0; i < count; i++)
+        if (pieces->of_voxel[i] != PIECE_NONE)
+            pieces->chamber[pieces->of_voxel[i]] =
+                (cutting->root ? root_chamber : voxel_chamber)(cutting, i);
+}
+
+static bool voxels_alike(const struct voxels *a, const struct voxels *b)
+{
+    return memcmp(a->size, b->size, sizeof a->size) == 0 &&
+           a->edge == b->edge &&
+           memcmp(&a->origin, &b->origin, sizeof a->origin) == 0;
+}
+
 struct pieces *pieces_new(struct arena *arena, const struct voxels *voxels,
-                          const uint32_t *nearest, const struct graph *graph)
+                          const uint32_t *nearest, const struct graph *graph,
+                          const struct pieces_kept *root)
 {
     struct pieces *pieces = ARENA_NEW(arena, struct pieces);
     const struct chambers *chambers = chambers_new(arena, graph);
+    bool follows =
+        root && root->pieces.count > 0 && voxels_alike(&root->grid, voxels);
     size_t count = voxels_count(voxels);
     struct cutting cutting = {
         .voxels = voxels,
         .nearest = nearest,
         .graph = graph,
         .chambers = chambers,
+        .root = follows ? root : NULL,
         .pieces = pieces,
         .cell = memory_new(count * sizeof *cutting.cell),
         .up = memory_new(count * sizeof *cutting.up),
         .first = memory_new(chambers->count * sizeof *cutting.first),
     };
-    double radii = cell_width;
-    pieces->chambers = chambers->count;
-    pieces->cells = ARENA_ARRAY(arena, struct piece_cells, chambers->count);
+    pieces->chambers = follows ? root->pieces.chambers : chambers->count;
+    pieces->cells = ARENA_ARRAY(arena, struct piece_cells, pieces->chambers);
     pieces->of_voxel = ARENA_ARRAY(arena, uint32_t, count);
-    cutting_cut(&cutting, radii);
-    for (int i = 0; i < COARSER && pieces->count > PIECES_MOST; i++)
-        cutting_cut(&cutting, radii *= 1.5);
+    (follows ? cutting_follow : cutting_own)(&cutting);
     pieces->chamber = ARENA_ARRAY(arena, uint32_t, pieces->count);
-    for (size_t i = 0; i < count; i++)
-        if (pieces->of_voxel[i] != PIECE_NONE)
-            pieces->chamber[pieces->of_voxel[i]] = voxel_chamber(&cutting, i);
+    cutting_name(&cutting);
     memory_free(cutting.cell);
     memory_free(cutting.up);
     memory_free(cutting.first);
     return pieces;
+}
+
+/* The next so many bytes of a block, with a copy in them. */
+static void *block_copy(char **at, const void *from, size_t size)
+{
+    void *copy = memcpy(*at, from, size);
+    *at += size;
+    return copy;
+}
+
+struct pieces_kept *pieces_keep(const struct pieces *pieces,
+                                const struct voxels *voxels)
+{
+    size_t cells = pieces->chambers * sizeof *pieces->cells;
+    size_t of_voxel = voxels_count(voxels) * sizeof *pieces->of_voxel;
+    size_t chamber = pieces->count * sizeof *pieces->chamber;
+    struct pieces_kept *kept =
+        memory_new(sizeof *kept + cells + of_voxel + chamber);
+    char *at = (char *)(kept + 1);
+    kept->grid = *voxels;
+    kept->grid.empty = NULL;
+    kept->pieces = *pieces;
+    kept->pieces.cells = block_copy(&at, pieces->cells, cells);
+    kept->pieces.of_voxel = block_copy(&at, pieces->of_voxel, of_voxel);
+    kept->pieces.chamber = block_copy(&at, pieces->chamber, chamber);
+    return kept;
 }

@@ -22,8 +22,21 @@ struct pieces {
     struct piece_cells *cells; /* of each chamber */
 };
 
-/* `nearest` is graph_nearest's. In the arena. */
+/* How a void was cut, for the other pictures of its animation. */
+struct pieces_kept {
+    struct voxels grid; /* without `empty` */
+    struct pieces pieces;
+};
+
+/* One block of memory; freed with memory_free. */
+struct pieces_kept *pieces_keep(const struct pieces *pieces,
+                                const struct voxels *voxels);
+
+/* `nearest` is graph_nearest's. In a grid like that of `root`, unless that is
+ * NULL, the cells are root's, so that what moves changes no more of them than
+ * it has to. In the arena. */
 struct pieces *pieces_new(struct arena *arena, const struct voxels *voxels,
-                          const uint32_t *nearest, const struct graph *graph);
+                          const uint32_t *nearest, const struct graph *graph,
+                          const struct pieces_kept *root);
 
 #endif

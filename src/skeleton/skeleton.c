@@ -231,6 +231,7 @@ struct skeleton *skeleton_new(const struct world *world,
     skeleton->rays = options->rays ? options->rays : RAYS;
     skeleton->threads = options->threads ? options->threads : 1;
     skeleton->stop = options->stop;
+    skeleton->root = options->root;
     skeleton->heuristic =
         options->heuristic ? options->heuristic : heuristic_at(0);
     skeleton->marks = matter_marks(world, voxels_box(voxels), arena);
@@ -239,6 +240,7 @@ struct skeleton *skeleton_new(const struct world *world,
         if (skeleton->heuristic->start)
             skeleton->state = skeleton->heuristic->start(skeleton);
     }
+    skeleton->root = NULL;
     if (skeleton_stopped(skeleton)) {
         skeleton_free(skeleton);
         return NULL;
@@ -253,6 +255,14 @@ void skeleton_free(struct skeleton *skeleton)
     if (skeleton->state && skeleton->heuristic->finish)
         skeleton->heuristic->finish(skeleton->state);
     arena_free(skeleton->arena);
+}
+
+struct pieces_kept *skeleton_keep(const struct skeleton *skeleton)
+{
+    const struct heuristic *heuristic = skeleton->heuristic;
+    return heuristic->pieces
+               ? pieces_keep(heuristic->pieces(skeleton), skeleton->voxels)
+               : NULL;
 }
 
 /* The light without the void's. */

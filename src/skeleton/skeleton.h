@@ -13,6 +13,7 @@
 #include "skeleton/paths.h"
 
 struct heuristic;
+struct pieces_kept;
 
 /* How the light of one lamp comes into the void. */
 struct skeleton_lamp {
@@ -49,6 +50,7 @@ struct skeleton {
     void *state; /* of the heuristic */
     uint64_t seed;
     size_t rays; /* that heuristics may send to get started, about */
+    const struct pieces_kept *root; /* while it is begun; or NULL */
     unsigned threads;
     const atomic_int *stop;
     int rounds; /* of the collapse */
@@ -67,6 +69,9 @@ struct skeleton_options {
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
     size_t rays; /* that the heuristic may send to get started, about; 0: as
                   * many as answers need that are shown as they are */
+    /* How another picture's void was cut that this one's may be cut like
+     * (skeleton/pieces.h); or NULL. */
+    const struct pieces_kept *root;
 };
 
 /* From the voxels of the scene, which must outlive it, as must the world. NULL
@@ -76,6 +81,10 @@ struct skeleton *skeleton_new(const struct world *world,
                               const struct voxels *voxels,
                               const struct skeleton_options *options);
 void skeleton_free(struct skeleton *skeleton);
+
+/* How its heuristic has cut the void, as a root for others; NULL: it doesn't.
+ * Freed with memory_free. */
+struct pieces_kept *skeleton_keep(const struct skeleton *skeleton);
 
 /* A point, and where the skeleton knows it. */
 struct skeleton_point {

@@ -38,7 +38,7 @@ void heritage_leave(struct heritage *heritage)
 {
     if (!heritage || atomic_fetch_sub(&heritage->users, 1) > 1)
         return;
-    memory_free(heritage->kept.bytes);
+    lighting_forget(&heritage->kept);
     if (heritage->shown.show.arena)
         show_free(&heritage->shown.show);
     memory_free(heritage);

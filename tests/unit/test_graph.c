@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "harness.h"
+#include "base/memory.h"
 #include "skeleton/chamber.h"
 #include "skeleton/collapse.h"
 #include "skeleton/distance.h"
@@ -145,7 +146,7 @@ static void pieces_fill_the_void(void **state)
     (void)state;
     struct fixture f = fixture_new(&void_u, false);
     const struct voxels *v = &f.voxels;
-    struct pieces *p = pieces_new(f.arena, v, f.nearest, f.graph);
+    struct pieces *p = pieces_new(f.arena, v, f.nearest, f.graph, NULL);
     uint32_t least = PIECE_NONE, most = 0;
     for (size_t i = 0; i < voxels_count(v); i++) {
         int at[3];
@@ -164,6 +165,65 @@ static void pieces_fill_the_void(void **state)
     /* 24 voxels wide, three arms of about 90, cells of about 9. */
     assert_in_range(p->count, 180, 320);
     fixture_free(&f);
+}
+
+/* Whether voxels of one piece of `parts` are all of one of `whole`, if they are
+ * of any. */
+static void assert_parts(const struct voxels *v, const struct pieces *parts,
+                         const struct pieces *whole)
+{
+    uint32_t *of = memory_new((parts->count + 1) * sizeof *of);
+    for (size_t i = 0; i < parts->count; i++)
+        of[i] = PIECE_NONE;
+    for (size_t i = 0; i < voxels_count(v); i++) {
+        uint32_t part = parts->of_voxel[i], own = whole->of_voxel[i];
+        if (part == PIECE_NONE || own == PIECE_NONE)
+            continue;
+        if (of[part] == PIECE_NONE)
+            of[part] = own;
+        assert_int_equal(of[part], own);
+        assert_int_equal(parts->chamber[part], whole->chamber[own]);
+    }
+    memory_free(of);
+}
+
+/* A thing in the middle of the corridor: with it and without it the cells are
+ * those of the other, though each would be cut differently alone. */
+static void pieces_follow_a_root(void **state)
+{
+    (void)state;
+    struct fixture open = fixture_new(&void_u, false);
+    struct void_case boxed = void_u;
+    boxed.boxes[3] = (struct void_box)REFILL(74, 92, 2, 20, 30, 70);
+    struct fixture full = fixture_new(&boxed, false);
+    const struct voxels *v = &full.voxels;
+    struct pieces *own =
+        pieces_new(open.arena, &open.voxels, open.nearest, open.graph, NULL);
+    struct pieces *alone =
+        pieces_new(full.arena, v, full.nearest, full.graph, NULL);
+    struct pieces_kept *root = pieces_keep(own, &open.voxels);
+    struct pieces_kept *other = pieces_keep(alone, v);
+    struct pieces *with =
+        pieces_new(full.arena, v, full.nearest, full.graph, root);
+    struct pieces *without =
+        pieces_new(open.arena, &open.voxels, open.nearest, open.graph, other);
+    struct pieces *again =
+        pieces_new(open.arena, &open.voxels, open.nearest, open.graph, root);
+    size_t size = voxels_count(v) * sizeof *own->of_voxel;
+    assert_int_not_equal(alone->count, own->count);
+    assert_parts(v, with, own);
+    assert_parts(&open.voxels, without, alone);
+    assert_int_equal(without->count, alone->count);
+    for (size_t i = 0; i < voxels_count(v); i++) {
+        assert_int_equal(with->of_voxel[i] == PIECE_NONE, !v->empty[i]);
+        assert_int_equal(without->of_voxel[i] == PIECE_NONE,
+                         !open.voxels.empty[i]);
+    }
+    assert_memory_equal(again->of_voxel, own->of_voxel, size);
+    memory_free(root);
+    memory_free(other);
+    fixture_free(&full);
+    fixture_free(&open);
 }
 
 /* Sumpner: E = rho Phi / (S (1 - rho)). */
@@ -261,6 +321,7 @@ int main(void)
         cmocka_unit_test(paths_along_the_u),
         cmocka_unit_test(chambers_end_at_doors),
         cmocka_unit_test(pieces_fill_the_void),
+        cmocka_unit_test(pieces_follow_a_root),
         cmocka_unit_test(one_zone),
         cmocka_unit_test(energy_is_kept),
         cmocka_unit_test(zones_see_their_area),

@@ -112,8 +112,8 @@ static void *network_start(const struct skeleton *skeleton)
         .stop = skeleton->stop,
     };
     network->arena = arena;
-    network->pieces =
-        pieces_new(arena, skeleton->voxels, skeleton->nearest, skeleton->graph);
+    network->pieces = pieces_new(arena, skeleton->voxels, skeleton->nearest,
+                                 skeleton->graph, skeleton->root);
     network->sight = (struct sight){ skeleton, network->pieces, scene };
     network_solve(network, skeleton);
     network->shore = shore_new(skeleton->voxels);
@@ -327,6 +327,12 @@ static rgb network_seen(const struct skeleton *skeleton, const struct ray *ray,
                                 : seen.beyond;
 }
 
+static const struct pieces *network_pieces(const struct skeleton *skeleton)
+{
+    const struct network *network = skeleton->state;
+    return network->pieces;
+}
+
 /* A ray from the point, above the surface if it is on one, and what it meets.
  */
 static rgb network_look(const struct skeleton *skeleton,
@@ -388,5 +394,6 @@ const struct heuristic network_heuristic = {
     .indirect = network_indirect,
     .close = network_close,
     .seen = network_seen,
+    .pieces = network_pieces,
     .outside = network_outside,
 };
