@@ -212,38 +212,31 @@ static bool fingerprints_same(struct fingerprint a, struct fingerprint b)
            a.lights == b.lights && a.surroundings == b.surroundings;
 }
 
-/* Begins that of frame `number`, if it shows the same things, or is about the
- * same place where something moves. Says nothing: when that frame is drawn it
- * will. */
-static void root_try(struct work *work, const struct scene *scene, int number,
+/* Begins that of frame `number`; `moves`: also where it shows something else
+ * than the scene. Says nothing: when that frame is drawn it will. Returns
+ * whether it shows the same. */
+static bool root_try(struct work *work, const struct scene *scene, int number,
                      bool moves)
 {
     struct arena *arena = arena_new(0);
     struct parse_options parse = frame_parsing(work, number);
     struct diag silent = work_silent(work);
     struct scene *other = parse_scene(work->source, &parse, arena, &silent);
-    if (other && (moves || fingerprints_same(scene_fingerprint(scene, true),
-                                             scene_fingerprint(other, true))))
+    bool same = other && fingerprints_same(scene_fingerprint(scene, true),
+                                           scene_fingerprint(other, true));
+    if (same || (other && moves))
         root_light(work, other, &silent);
     scene_free(other);
     arena_free(arena);
-}
-
-/* The same of the last frame, which is kept only if it is in a chamber: returns
- * whether it is. */
-static bool root_last(struct work *work, const struct scene *scene, bool moves)
-{
-    root_try(work, scene, work->options.frames.last, moves);
-    if (work->kept.inside)
-        return true;
-    lighting_forget(&work->kept);
-    return false;
+    return same;
 }
 
 /* Before the first frame of an animation that this process draws: all of them
- * light what they show by one mesh, lest that changes from frame to frame. It
- * is the first frame's, or the last one's if that is in a chamber: from outside
- * nobody would look for what lights it. */
+ * light what they show by one mesh, or where something moves by meshes whose
+ * points are in the same places, lest light on what stands still changes from
+ * frame to frame. Their root is the last frame. Where only the camera moves it
+ * is so only if it is in a chamber, from outside of which nobody would look for
+ * what lights it, and else the first. */
 static void root_make(struct work *work, const struct scene *scene, int number)
 {
     const struct options *options = &work->options;
@@ -253,23 +246,11 @@ static void root_make(struct work *work, const struct scene *scene, int number)
         options->light.light_mesh.load_file || options->probe)
         return;
     work->root_tried = true;
-    if (!root_last(work, scene, false) && number != frames->first)
+    if (!root_try(work, scene, frames->last, true) || work->kept.inside)
+        return;
+    lighting_forget(&work->kept);
+    if (number != frames->first)
         root_try(work, scene, frames->first, false);
-}
-
-/* Where something moves in a chamber all frames have the plan of the last one,
- * lest what stands still changes from frame to frame. Returns whether there is
- * one, once: to begin the lighting of this frame with it. */
-static bool root_follow(struct work *work, const struct scene *scene,
-                        const void *state)
-{
-    if (!work->root_tried || work->kept.bytes || work->root_followed)
-        return false;
-    work->root_followed = true;
-    struct lighting_kept own = work->lighting->keep(state);
-    bool inside = own.inside;
-    lighting_forget(&own);
-    return inside && root_last(work, scene, true);
 }
 
 /* Lights the world. */
@@ -286,12 +267,6 @@ static bool frame_light(struct work *work, const struct world *world,
                              .quality = options->quality,
                              .alpha = options->alpha };
     tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
-    if (tracer.lighting_state &&
-        root_follow(work, scene, tracer.lighting_state)) {
-        struct diag silent = work_silent(work); /* it was said already */
-        lighting->finish(tracer.lighting_state);
-        tracer.lighting_state = lighting->start(world, scene, &light, &silent);
-    }
     stats_world(stats, world);
     if (!tracer.lighting_state)
         return false;

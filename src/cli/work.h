@@ -25,7 +25,6 @@ struct work {
     struct probe_file points;        /* of --probe */
     struct lighting_kept kept;       /* by the root of all frames, and them */
     bool root_tried;                 /* to begin that one's lighting */
-    bool root_followed;              /* the same where something moves */
     size_t first_file;               /* of options.parse.asked, for the scene */
     struct targets targets;          /* of --depend: pictures, kept or drawn */
     struct kept pictures;            /* by +C */

@@ -79,7 +79,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (done && known.found) {
         mesh->stamp = known.file.stamp;
-        mesh->finest = known.finest;
+        mesh->levels = known.levels;
     }
     const struct mesh_frame *frame = &mesh->stamp.frame;
     done = done && interpolation &&
@@ -135,12 +135,10 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct outlook *outlook,
                             const struct lighting_options *options)
 {
-    struct mesh_frame root;
-    mesh->rooted = mesh_known_root(&mesh->stamp, options, &root);
-    mesh->survey =
-        mesh_survey(mesh, scene, options, mesh->rooted ? &root.bright : NULL);
+    mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
+    mesh->survey = mesh_survey(mesh, scene, options,
+                               mesh->rooted ? &mesh->root.bright : NULL);
     mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey, 0);
-    mesh->follows = mesh->rooted && plan_follow(&mesh->stamp.frame, &root);
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,

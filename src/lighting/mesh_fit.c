@@ -26,7 +26,8 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;
-    mesh->direct_view.finest = mesh->indirect_view.finest = mesh->finest;
+    mesh->direct_view.finest = mesh->levels.direct;
+    mesh->indirect_view.finest = mesh->levels.indirect;
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
     if (plan->indirect.bounces > 0)
         mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
@@ -57,7 +58,7 @@ static void mesh_afford(struct mesh_lighting *mesh, const struct scene *scene,
                         const struct interpolation *interpolation,
                         const struct lighting_options *options)
 {
-    if (!mesh->indirect || options->numbers || mesh->follows)
+    if (!mesh->indirect || options->numbers)
         return;
     const struct census census = mesh_census(mesh, scene, options);
     if (plan_afford(&mesh->stamp.frame, scene, &mesh->survey,
@@ -88,9 +89,12 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
     int coarser = 0;
     mesh_make(mesh, scene, interpolation);
     mesh_afford(mesh, scene, interpolation, options);
+    if (mesh->rooted &&
+        plan_follow(&mesh->stamp.frame, &mesh->root, &mesh->levels))
+        mesh_make(mesh, scene, interpolation);
     while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options) &&
            !mesh_fit_stopped(options)) {
-        mesh->follows = false;
+        mesh->levels = (struct plan_levels){ 0, 0 };
         mesh->stamp.frame =
             plan_frame(scene, outlook, &mesh->survey, ++coarser);
         mesh_make(mesh, scene, interpolation);

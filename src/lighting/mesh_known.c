@@ -7,16 +7,6 @@
 #include "base/map.h"
 #include "lightmesh/tuning.h"
 
-/* The level at which points that were made for one picture are about as near to
- * each other as another wants. Small differences are none, lest what a still
- * surface shows changes when the camera moves. */
-static double frame_finest(const struct mesh_frame *made,
-                           const struct mesh_frame *now)
-{
-    double levels = log2(now->wanted / made->wanted);
-    return copysign(fmax(fabs(levels) - kept_levels, 0), levels);
-}
-
 static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       const struct lighting_kept *kept)
 {
@@ -28,8 +18,8 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
         return false;
     const struct mesh_frame *made = &known->file.stamp.frame,
                             *now = &wanted->frame;
-    known->finest = frame_finest(made, now);
-    return fabs(known->finest) <= KEPT_LEVELS &&
+    known->levels = plan_levels(made, now);
+    return fabs(known->levels.direct) <= KEPT_LEVELS &&
            now->asked <= kept_rays * made->asked;
 }
 
@@ -86,7 +76,7 @@ bool mesh_known_root(const struct mesh_stamp *wanted,
     char text[200];
     struct mesh_file file;
     const struct lighting_kept *kept = options->kept;
-    if (!options->root || !kept || !kept->bytes || !kept->inside ||
+    if (!options->root || !kept || !kept->bytes ||
         !mesh_file_open(&file, kept->bytes, kept->size, text, sizeof text) ||
         !mesh_stamp_alike(&file.stamp, wanted) ||
         mesh_stamp_same(&file.stamp, wanted, text, sizeof text))

@@ -5,16 +5,16 @@
 
 #include "lighting/lighting.h"
 #include "lightmesh/mesh_file.h"
+#include "lightmesh/plan.h"
 
 struct point_mesh;
 
 struct mesh_known {
     struct mesh_file file;
     bool found;
-    const char *name; /* of the file; NULL: the picture before */
-    struct map *map;  /* the file, which its points stay in */
-    double finest;    /* struct lattice_view: for points as near to each other
-                       * as this picture wants */
+    const char *name;          /* of the file; NULL: the picture before */
+    struct map *map;           /* the file, which its points stay in */
+    struct plan_levels levels; /* for this picture */
 };
 
 /* Looks for a mesh made of what `wanted` says. The picture before is taken only

@@ -28,11 +28,12 @@ struct mesh_lighting {
     /* How this picture's camera asks; what mesh points hold must not depend on
      * it, only on the stamp's frame. */
     struct lattice_view direct_view, indirect_view;
-    double finest; /* of these views: 0 but for a mesh that is kept */
+    struct plan_levels levels; /* of these views: 0 but for a mesh that is kept,
+                                * or one like another's */
     struct mesh_stamp stamp;
-    bool rooted;       /* its animation has a root, where something moves, */
-    bool follows;      /* whose frame it has */
-    int width, height; /* of the picture, pixels */
+    bool rooted;            /* its animation has a root, and something moves: */
+    struct mesh_frame root; /* where that has its points */
+    int width, height;      /* of the picture, pixels */
 };
 
 /* The meshes of the stamp's frame, without points. */

@@ -108,17 +108,38 @@ struct mesh_frame plan_frame(const struct scene *scene,
     };
 }
 
-bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root)
+/* Levels between spacings, so many of which are none. */
+static double levels_between(double made, double now, double none)
+{
+    double levels = log2(now / made);
+    return copysign(fmax(fabs(levels) - none, 0), levels);
+}
+
+struct plan_levels plan_levels(const struct mesh_frame *made,
+                               const struct mesh_frame *now)
+{
+    double levels = levels_between(made->wanted, now->wanted, kept_levels);
+    return (struct plan_levels){ levels, levels };
+}
+
+bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root,
+                 struct plan_levels *levels)
 {
     const struct mesh_frame own = *frame;
-    bool same = frame->closed == root->closed &&
-                (frame->samples > 0) == (root->samples > 0) &&
-                (own.bright.count > 0) == (root->bright.count > 0);
-    if (!same || !(fabs(log2(frame->wanted / root->wanted)) <= follow_levels))
+    const struct plan_levels asked = {
+        levels_between(root->wanted, own.wanted, follow_levels),
+        levels_between(root->gather, own.gather, follow_levels),
+    };
+    if (own.closed != root->closed ||
+        (own.samples > 0) != (root->samples > 0) ||
+        (own.bright.count > 0) != (root->bright.count > 0) ||
+        !(fabs(asked.direct) <= KEPT_LEVELS) ||
+        !(fabs(asked.indirect) <= KEPT_LEVELS))
         return false;
     *frame = *root;
     frame->bright = own.bright;
     frame->around = own.around;
+    *levels = asked;
     return true;
 }
 

@@ -40,10 +40,24 @@ struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
                              const struct survey *survey, int coarser);
 
-/* Makes the frame that of the root of its animation, if it is so nearly, but
- * for its light: what moves in a chamber must not change where its mesh points
- * are, nor how many rays they send. Returns whether it did. */
-bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root);
+/* At which levels a picture asks the points of another's frame (`finest` of
+ * struct lattice_view). */
+struct plan_levels {
+    double direct, indirect;
+};
+
+/* Those at which they are about as near to each other as the picture wants.
+ * Small differences are none, lest what a still surface shows changes when the
+ * camera moves. */
+struct plan_levels plan_levels(const struct mesh_frame *made,
+                               const struct mesh_frame *now);
+
+/* Makes the frame that of the root of its animation, but for its light: what
+ * moves must not change where mesh points are, nor how many rays they send.
+ * Into *levels those at which the picture can afford them. Returns false if
+ * they differ too much, or are lit in other ways. */
+bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root,
+                 struct plan_levels *levels);
 
 /* Where the indirect mesh would have so many points for a picture of so many
  * pixels: makes fewer of them, of fewer rays, if these are more than indirect

@@ -83,10 +83,9 @@ static const double kept_levels = 1; /* by which points are nearer to each
                                       * other than wanted, or farther off,
                                       * before others are asked, ... */
 static const double follow_levels =
-    0.5;                  /* by which the pictures of an animation
-                           * in which something moves may differ
-                           * in how near they want points to be,
-                           * and have them alike [flicker] */
+    0.5;                  /* the same of another picture of an animation in
+                           * which something moves: as these can be afforded
+                           * [flicker] */
 enum { KEPT_LEVELS = 6 }; /* which are up to so many levels finer or coarser */
 static const double kept_rays = 4; /* times as many that are wanted of a point:
                                     * others are made */
