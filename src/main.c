@@ -60,6 +60,7 @@ static bool command_once(struct command *command)
         again = !answers;
     }
     lighting_forget(&work.kept);
+    lighting_forget(&work.last);
     again = again && command_watch(command, &work);
     arena_free(arena);
     return again;

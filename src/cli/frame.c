@@ -132,14 +132,16 @@ static bool work_keeps(const struct work *work)
 }
 
 /* What the root of an animation has made others may use and add to, and
- * nothing else: so each frame is the same whichever were drawn before it. */
+ * nothing else: so each frame is the same whichever were drawn before it.
+ * Another frame's is only for --mesh-save. */
 static void frame_keep(struct work *work, const struct tracer *tracer)
 {
     if (!work_keeps(work))
         return;
     struct lighting_kept kept = tracer->lighting->keep(tracer->lighting_state);
+    lighting_forget(&work->last);
     if (work->kept.bytes && work->kept.family != kept.family) {
-        lighting_forget(&kept);
+        work->last = kept;
         return;
     }
     lighting_forget(&work->kept);

@@ -8,15 +8,16 @@
 static bool work_save(struct work *work)
 {
     const char *name = work->options.light.light_mesh.save_file;
+    const struct lighting_kept *kept =
+        work->last.bytes ? &work->last : &work->kept;
     char why[256];
     if (!name || work->options.action != ACTION_RENDER)
         return true;
-    if (!work->kept.bytes)
+    if (!kept->bytes)
         diag_print(&work->diag, DIAG_WARNING, span_none(), NULL,
                    "nothing was rendered: the light mesh '%s' is not written",
                    name);
-    else if (!save_bytes(name, work->kept.bytes, work->kept.size, why,
-                         sizeof why)) {
+    else if (!save_bytes(name, kept->bytes, kept->size, why, sizeof why)) {
         diag_print(&work->diag, DIAG_ERROR, span_none(), NULL,
                    "can't write the light mesh '%s': %s", name, why);
         return false;
