@@ -129,15 +129,12 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
  * crevice, which is dark inside, what hides it from the place hides it from
  * that surface as well: one ray more tells. */
 static struct indirect_share gathering_here(const struct gathering *gathering,
-                                            const struct surface *surface,
-                                            double matters)
+                                            const struct surface *surface)
 {
     const struct gather *gather = gathering->gather;
     struct indirect_share share =
         indirect_light_share(gather->here, surface->normal);
-    double chance = fmin(often_near * matters, 1);
-    if (gathering->before > 0 || gather->crevice == 0 ||
-        !gathering_goes_on(gathering, chance))
+    if (gathering->before > 0 || gather->crevice == 0)
         return share;
     const struct draws draws = onward_draws(gathering->draws, gathering->met);
     struct gathered_ray found;
@@ -150,8 +147,8 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
     if (!world_glimpse(gather->lamps->world, &further.ray, near, RAY_REFLECTION,
                        &found.at))
         return share;
-    double close = gather->crevice / chance *
-                   near_field_closeness(found.at.t, gather->reach);
+    double close =
+        gather->crevice * near_field_closeness(found.at.t, gather->reach);
     found.light = gathering_follow(&further, &found.at, &found.glow);
     if (rgb_peak(found.glow) > 0)
         return share;
@@ -163,13 +160,13 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
 /* What surfaces send to the receiver, if mesh points or the skeleton know. */
 static bool gathering_known(const struct gathering *gathering,
                             const struct surface *surface,
-                            const struct receiver *receiver, double matters,
+                            const struct receiver *receiver,
                             struct indirect_share *share)
 {
     const struct gather *gather = gathering->gather;
     bool here = gather->here && gathering->met == 0;
     if (here)
-        *share = gathering_here(gathering, surface, matters);
+        *share = gathering_here(gathering, surface);
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
@@ -193,7 +190,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     rgb light = gather_lamps(gather, gathering->worker, gathering->draws,
                              gathering->before > 0, surface, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gathering_known(gathering, surface, &receiver, matters, &more);
+    bool found = gathering_known(gathering, surface, &receiver, &more);
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)

@@ -153,6 +153,24 @@ static double share_deep(double met)
     return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
 }
 
+/* A packet from number `first` on. Deep in a crevice a few rays don't tell
+ * whether any light gets in, which would be seen as steps and as black spots
+ * under balls: there as many are sent as from a corner. Returns how many meet
+ * something. */
+static unsigned nearby_send(struct nearby *nearby, int first,
+                            struct gather_rays *sent)
+{
+    const struct near_ways *most = &nearby->mesh->near;
+    nearby_trace(nearby, first, sent);
+    unsigned met = nearby_met(sent);
+    if (first > 0 || nearby->ways->count >= most->count ||
+        met < near_deep * sent->count)
+        return met;
+    nearby->ways = most;
+    nearby_trace(nearby, first, sent);
+    return nearby_met(sent);
+}
+
 /* Returns whether anything is near. */
 static bool nearby_look_around(struct nearby *nearby,
                                const struct indirect_light *light)
@@ -160,8 +178,7 @@ static bool nearby_look_around(struct nearby *nearby,
     bool any = false;
     for (int first = 0; first < nearby->ways->count; first += RAY_LANES) {
         struct gather_rays sent;
-        nearby_trace(nearby, first, &sent);
-        unsigned met = nearby_met(&sent);
+        unsigned met = nearby_send(nearby, first, &sent);
         any = any || met > 0;
         nearby->gather.crevice = share_deep((double)met / sent.count);
         if (any || first + RAY_LANES < nearby->ways->count)

@@ -328,8 +328,7 @@ static const double gather_least = 0.02;        /* share that is followed */
 static const double gather_spread = 0.02;       /* radius of the cone that a
                                                  * ray is, and one from what it
                                                  * meets to a lamp */
-static const double often_mirrored = 2, often_lit = 4,
-                    often_near = 1;   /* roulette, factors, */
+static const double often_mirrored = 2, often_lit = 4; /* roulette, factors, */
 static const double onward_often = 1; /* of where it goes on [truth]; */
 static const double onward_often_blind =
     2; /* of the first step where no survey says what is usual [plates] */

@@ -1,7 +1,9 @@
 /* From a scene to its void: see void.h. */
 #include "skeleton/void.h"
 
+#include "base/draw.h"
 #include "base/memory.h"
+#include "base/warp.h"
 #include "skeleton/flood.h"
 #include "skeleton/grid.h"
 #include "skeleton/matter.h"
@@ -72,20 +74,50 @@ static bool voxel_is_shone_at(const struct void_space *space,
     return false;
 }
 
-/* Whether a light shines into the camera's part: through slits, be it, that are
- * narrower than voxels. */
+/* Whether a ray from there leaves the scene: what is outside looks in. */
+static bool voxel_looks_out(const struct void_space *space,
+                            const struct void_matter *matter, size_t voxel)
+{
+    const struct voxels *v = &space->voxels;
+    const struct draws draws = { 0, (uint32_t)voxel };
+    double u[2], far = v->edge * (v->size[0] + v->size[1] + v->size[2]);
+    int at[3];
+    voxels_place(v, voxel, at);
+    draw_pair(&draws, 0, u);
+    vec3 centre = voxels_centre(v, at);
+    vec3 beyond = vec3_along(centre, warp_sphere(u), far);
+    return !matter_hides(matter->world, matter->leaf_marks, centre, beyond);
+}
+
+/* Whether lamps or the sky light what is outside. */
+static bool outside_is_lit(const struct void_space *space, bool sky)
+{
+    for (size_t i = 0; i < space->light_count; i++)
+        if (space->lights[i].outside)
+            return true;
+    for (size_t i = 0; i < space->part_count; i++)
+        if (space->parts[i].sky && part_is_lit(&space->parts[i], sky))
+            return true;
+    return false;
+}
+
+/* Whether light gets into the camera's part by ways that are narrower than
+ * voxels: a lamp shines in through slits, or what it shines on outside, as
+ * between the slats of a blind. */
 static bool camera_is_shone_at(const struct void_space *space,
                                const struct light *lights,
-                               const struct void_matter *matter)
+                               const struct void_matter *matter, bool sky)
 {
     size_t count = voxels_count(&space->voxels), volume = 0, seen = 0;
+    bool outside = outside_is_lit(space, sky);
     for (size_t i = 0; i < space->part_count; i++)
         volume += space->parts[i].camera ? space->parts[i].volume : 0;
     for (size_t i = 0; i < count; i++) {
         uint32_t label = space->label[i];
         if (label && space->parts[label - 1].camera &&
             seen++ % (1 + volume / GLANCES) == 0 &&
-            voxel_is_shone_at(space, lights, matter, i))
+            (voxel_is_shone_at(space, lights, matter, i) ||
+             (outside && voxel_looks_out(space, matter, i))))
             return true;
     }
     return false;
@@ -105,7 +137,7 @@ static void look_for_light(struct void_space *space, const struct scene *scene,
             return;
         found |= part->camera;
     }
-    if (camera_is_shone_at(space, lights, matter))
+    if (camera_is_shone_at(space, lights, matter, sky))
         return;
     space->dark = found;
     diag_print(diag, DIAG_WARNING, span_none(), NULL,

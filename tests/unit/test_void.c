@@ -475,6 +475,10 @@ static void odd_scenes_get_a_result_or_a_message(void **state)
           " box { <I*0.4,-4,4>, <I*0.4+0.1,4,6> } #end }"
           " light_source { <0,0,15>, 1 }",
           2, NULL },
+        { "difference { box { -5, 5 } box { -4.5, 4.5 } #for (I, -9, 9)"
+          " box { <I*0.4,-4,4>, <I*0.4+0.1,4,6> } #end }"
+          " light_source { <0,15,5.1>, 1 }",
+          2, NULL },
         { "difference { box { -5, 5 } box { -4.5, 4.5 } }"
           " light_source { <0,0,15>, 1 }",
           2, "no light gets into the part" },
