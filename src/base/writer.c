@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/memory.h"
 #include "base/save.h"
 
 struct writer writer_new(void)
@@ -27,14 +28,20 @@ void writer_add(struct writer *writer, const char *text, size_t length)
 
 void writer_print(struct writer *writer, const char *format, ...)
 {
-    char text[256];
-    va_list arguments;
+    char few[256], *text = few;
+    va_list arguments, again;
     va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
+    va_copy(again, arguments);
+    int length = vsnprintf(few, sizeof few, format, arguments);
     va_end(arguments);
-    if (length >= (int)sizeof text)
-        length = (int)sizeof text - 1;
+    if (length >= (int)sizeof few) {
+        text = memory_new((size_t)length + 1);
+        vsnprintf(text, (size_t)length + 1, format, again);
+    }
+    va_end(again);
     writer_add(writer, text, length > 0 ? (size_t)length : 0);
+    if (text != few)
+        memory_free(text);
 }
 
 bool writer_save(const struct writer *writer, const char *path, char *error,

@@ -16,7 +16,7 @@ void writer_free(struct writer *writer);
 
 void writer_add(struct writer *writer, const char *text, size_t length);
 
-/* As printf, up to 255 bytes at a time. */
+/* As printf. */
 __attribute__((format(printf, 2, 3))) void
 writer_print(struct writer *writer, const char *format, ...);
 

@@ -47,7 +47,7 @@ static void depend_file(struct writer *text, const char *path, bool there)
     if (there)
         depend_name(text, path);
     else
-        writer_print(text, "$(wildcard %.200s)", path);
+        writer_print(text, "$(wildcard %s)", path);
 }
 
 /* The name of the file itself: as said, or beside the picture. */

@@ -58,8 +58,11 @@ bool part_text_read(const char *text, struct options *options,
         sscanf(space + sizeof space_line - 1, "%d %lf", &kind,
                &settings->assumed_gamma) != 2)
         return false;
+    double bits = text_value(text, "bits");
+    if (kind < GAMMA_NONE || kind > GAMMA_SRGB || !(bits >= 0 && bits <= 32))
+        return false;
     settings->gamma_kind = kind;
-    options->bits = (int)text_value(text, "bits");
+    options->bits = (int)bits;
     options->grey = text_value(text, "grey") != 0;
     options->alpha = text_value(text, "alpha") != 0;
     options->compression = (int)text_value(text, "compression");

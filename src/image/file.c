@@ -26,9 +26,9 @@
 static const char *const places[] = { "/", "/../lib/glim/", "/../../" };
 
 #define NO_MODULE                                                              \
-    "files other than PNG and EXR need glim's module glim-image.so, which "    \
-    "'make' builds with OpenImageIO and which belongs in ../lib/glim seen "    \
-    "from the program (%s)"
+    "files of this kind need glim's module glim-image.so, which 'make' "       \
+    "builds with OpenImageIO and which belongs in ../lib/glim seen from the "  \
+    "program (%s)"
 
 /* Whether it is there; its name, of PATH_MAX + 64 characters at most. */
 static bool file_find_module(char *name)
@@ -182,7 +182,7 @@ static const char *file_kind(const char *path, char *error, size_t size)
 static codec_decode_function *
 file_own_decoder(const char *path, const struct codec_target *target)
 {
-    if (strcmp(target->type, "gif") == 0 && target->numbers)
+    if (strcmp(target->type, "gif") == 0)
         return gif_decode;
     if (strcmp(target->type, "jpeg") == 0 && jpeg_is_ours(path))
         return jpeg_decode;

@@ -1,6 +1,6 @@
 // Image formats through OpenImageIO, 2.2 to 3: the only C++ and the only user
-// of that library. Built as a module of its own, see codec.h. PNG and what is
-// written as OpenEXR never come here.
+// of that library. Built as a module of its own, see codec.h. PNG, most of what
+// is read as GIF and JPEG, and what is written as OpenEXR never come here.
 #include "image/codec.h"
 
 #include <OpenImageIO/filesystem.h>

@@ -1,5 +1,6 @@
 /* Reading GIF files (CompuServe, "Graphics Interchange Format, Version 89a",
- * 1990): the numbers of the first picture. */
+ * 1990): the first picture, as large as it says it is, wherever it stands on
+ * the screen that the file is for (measured: POV-Ray's). */
 #include "image/gif.h"
 
 #include <errno.h>
@@ -10,16 +11,20 @@
 
 enum {
     CODES = 4096,       /* of LZW: 12 bits */
+    ENTRIES = 256,      /* of a palette */
     HAS_PALETTE = 0x80, /* flags */
     INTERLACED = 0x40,
     EXTENSION = 0x21, /* blocks */
     PICTURE = 0x2c,
+    CONTROL = 0xf9, /* of a picture: the extension that says what is clear */
 };
 
 struct gif {
     FILE *file;
     int width, height;
-    bool interlaced;
+    bool interlaced, coloured;         /* coloured: there is a palette */
+    unsigned char palette[ENTRIES][3]; /* black where the file has none */
+    int clear;                         /* the entry that is; -1: none */
     /* The bits of the data, in blocks of bytes. */
     unsigned bits, bit_count, block_left;
     bool ended;
@@ -44,10 +49,30 @@ static void gif_skip(struct gif *gif, int count)
         gif_byte(gif);
 }
 
-static void gif_skip_palette(struct gif *gif, int flags)
+static void gif_palette(struct gif *gif, int flags)
 {
-    if (flags & HAS_PALETTE)
-        gif_skip(gif, 3 << ((flags & 7) + 1));
+    if (!(flags & HAS_PALETTE))
+        return;
+    gif->coloured = true;
+    for (int i = 0; i < 2 << (flags & 7); i++)
+        for (int c = 0; c < 3; c++)
+            gif->palette[i][c] = (unsigned char)gif_byte(gif);
+}
+
+/* Blocks of bytes, each after its size, up to an empty one. */
+static void gif_extension(struct gif *gif)
+{
+    bool control = gif_byte(gif) == CONTROL;
+    for (int size = gif_byte(gif); size && !gif->ended; size = gif_byte(gif)) {
+        if (control && size >= 4) {
+            bool clear = gif_byte(gif) & 1;
+            gif_skip(gif, 2);
+            int entry = gif_byte(gif);
+            gif->clear = clear ? entry : -1;
+            size -= 4;
+        }
+        gif_skip(gif, size);
+    }
 }
 
 /* Up to the picture's data. False: there is none. */
@@ -56,21 +81,18 @@ static bool gif_find_picture(struct gif *gif)
     gif_skip(gif, 10);
     int flags = gif_byte(gif);
     gif_skip(gif, 2);
-    gif_skip_palette(gif, flags);
+    gif_palette(gif, flags);
     while (!gif->ended) {
         int kind = gif_byte(gif);
         if (kind == EXTENSION) {
-            gif_byte(gif);
-            for (int size = gif_byte(gif); size && !gif->ended;
-                 size = gif_byte(gif))
-                gif_skip(gif, size);
+            gif_extension(gif);
         } else if (kind == PICTURE) {
             gif_skip(gif, 4);
             gif->width = gif_short(gif);
             gif->height = gif_short(gif);
             flags = gif_byte(gif);
             gif->interlaced = flags & INTERLACED;
-            gif_skip_palette(gif, flags);
+            gif_palette(gif, flags);
             return !gif->ended;
         } else {
             return false;
@@ -188,6 +210,15 @@ static int gif_row(const struct gif *gif, int i)
     return 0;
 }
 
+/* What an entry of the palette, or its number, is as a pixel. */
+static void gif_pixel(const struct gif *gif, int number, bool indexed,
+                      float pixel[4])
+{
+    for (int c = 0; c < 3; c++)
+        pixel[c] = (float)(indexed ? number : gif->palette[number][c]) / 255;
+    pixel[3] = !indexed && number == gif->clear ? 0 : 1;
+}
+
 static void gif_give(const struct gif *gif, const unsigned char *numbers,
                      const int *place, float *pixels,
                      struct codec_target *target)
@@ -195,14 +226,21 @@ static void gif_give(const struct gif *gif, const unsigned char *numbers,
     size_t width = (size_t)gif->width;
     for (int y = 0; y < gif->height; y++) {
         float *row = target->take ? pixels : pixels + 4 * width * (size_t)y;
-        for (size_t x = 0; x < width; x++) {
-            float v = (float)numbers[(size_t)place[y] * width + x] / 255;
-            row[4 * x] = row[4 * x + 1] = row[4 * x + 2] = v;
-            row[4 * x + 3] = 1;
-        }
+        for (size_t x = 0; x < width; x++)
+            gif_pixel(gif, numbers[(size_t)place[y] * width + x],
+                      target->indexed, row + 4 * x);
         if (target->take)
             target->take(target->context, y);
     }
+}
+
+static void gif_describe(const struct gif *gif, struct codec_target *target)
+{
+    target->palette = true;
+    target->indexed = target->numbers;
+    target->has_alpha = !target->indexed && gif->clear >= 0;
+    target->channels = target->has_alpha ? 4 : 3;
+    target->bits = 8;
 }
 
 static bool gif_read(struct gif *gif, struct codec_target *target, char *error,
@@ -210,9 +248,11 @@ static bool gif_read(struct gif *gif, struct codec_target *target, char *error,
 {
     if (!gif_find_picture(gif))
         return false;
-    target->indexed = true;
-    target->channels = 3;
-    target->bits = 8;
+    gif_describe(gif, target);
+    if (!target->indexed && !gif->coloured) {
+        snprintf(error, size, "it has no palette");
+        return false;
+    }
     float *pixels =
         target->allocate(target->context, gif->width, gif->height, error, size);
     if (!pixels)
@@ -233,7 +273,7 @@ static bool gif_read(struct gif *gif, struct codec_target *target, char *error,
 bool gif_decode(const char *path, struct codec_target *target, char *error,
                 size_t size)
 {
-    struct gif gif = { .file = fopen(path, "rb") };
+    struct gif gif = { .file = fopen(path, "rb"), .clear = -1 };
     if (!gif.file) {
         snprintf(error, size, "%s", strerror(errno));
         return false;

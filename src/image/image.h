@@ -22,7 +22,7 @@ struct image {
     int bits;        /* read: of a channel, 8 or more */
     bool indexed;    /* read as numbers: pixels are a palette's
                       * numbers, 1 being 255 */
-    bool palette;    /* read: the file has one (PNG) */
+    bool palette;    /* read: the file has one (PNG, GIF) */
     bool png;        /* read: of this kind */
     bool plain;      /* read: of a kind whose numbers POV-Ray takes for the
                       * scene's own, whatever they are (PPM, PGM, TIFF) */

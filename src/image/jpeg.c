@@ -11,9 +11,12 @@
 
 #include "base/memory.h"
 
+enum { PASSES_LIMIT = 500 };
+
 struct jpeg_reader {
     struct jpeg_decompress_struct jpeg;
     struct jpeg_error_mgr manager;
+    struct jpeg_progress_mgr progress;
     jmp_buf out;
     struct codec_target *target;
     char *error; /* where there is yet none, or the first */
@@ -47,6 +50,18 @@ static void jpeg_leave(j_common_ptr jpeg)
     longjmp(r->out, 1);
 }
 
+/* Each pass goes over the whole picture, however few bytes it has: a small file
+ * could have thousands. Those that are made for pictures have ten or so. */
+static void jpeg_count_passes(j_common_ptr jpeg)
+{
+    struct jpeg_reader *r = jpeg->client_data;
+    if (r->jpeg.input_scan_number <= PASSES_LIMIT)
+        return;
+    *r->error = '\0'; /* warnings matter less */
+    snprintf(r->error, r->size, "it has more than %d passes", PASSES_LIMIT);
+    longjmp(r->out, 1);
+}
+
 static void jpeg_take_row(const struct jpeg_reader *r, float *out)
 {
     int channels = r->jpeg.output_components;
@@ -61,13 +76,14 @@ static void jpeg_take_row(const struct jpeg_reader *r, float *out)
 static bool jpeg_begin(struct jpeg_reader *r)
 {
     struct codec_target *target = r->target;
-    jpeg_start_decompress(&r->jpeg);
+    jpeg_calc_output_dimensions(&r->jpeg); /* before it takes room for passes */
     target->channels = r->jpeg.output_components;
     target->bits = 8;
     r->pixels = target->allocate(target->context, (int)r->jpeg.output_width,
                                  (int)r->jpeg.output_height, r->error, r->size);
     if (!r->pixels)
         return false;
+    jpeg_start_decompress(&r->jpeg);
     r->row = memory_new((size_t)r->jpeg.output_width *
                         (size_t)r->jpeg.output_components);
     return true;
@@ -100,9 +116,11 @@ static bool jpeg_open(struct jpeg_reader *r, const char *path,
     r->jpeg.client_data = r;
     r->manager.error_exit = jpeg_leave;
     r->manager.emit_message = jpeg_warn;
+    r->progress.progress_monitor = jpeg_count_passes;
     bool done = false;
     if (!setjmp(r->out)) {
         jpeg_create_decompress(&r->jpeg);
+        r->jpeg.progress = &r->progress;
         jpeg_stdio_src(&r->jpeg, file);
         jpeg_read_header(&r->jpeg, TRUE);
         done = rest(r);

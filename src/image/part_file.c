@@ -28,8 +28,9 @@ enum {
     ORDER = 0x01020304,
     MARK = 0x454c4954,
     TEXT_LIMIT = 8 << 20,
-    SIDE_LIMIT = 4097, /* of a tile; rows of tallies are longer */
-    WINDOW = 1 << 20,
+    SIDE_LIMIT = 4097,      /* of a tile; rows of tallies are longer */
+    PIXELS_LIMIT = 1 << 20, /* of one with a longer side */
+    WINDOW = 8 << 10,     /* bytes; what isn't a mark after all is read again */
     GATHERED = 128 << 10, /* bytes that are written at once */
     OPAQUE = 1 << 16,     /* in a record's kind: the fourth float is always 1 */
     LOCK_TRIES = 20,
@@ -267,7 +268,7 @@ static bool record_possible(const struct part_file *file,
         return false;
     long long wide = (long long)r->right - r->left;
     long long high = (long long)r->bottom - r->top;
-    if ((wide > SIDE_LIMIT || high > SIDE_LIMIT) && wide * high > WINDOW)
+    if ((wide > SIDE_LIMIT || high > SIDE_LIMIT) && wide * high > PIXELS_LIMIT)
         return false;
     long long bytes = wide * high * (long long)record_unit(r);
     return bytes <= end - at - (long long)sizeof *r;

@@ -54,11 +54,6 @@ void corner_store_free(struct corner_store *store)
     memory_free(store);
 }
 
-size_t corner_store_bytes(const struct corner_store *store)
-{
-    return table_bytes(store->corners) + table_bytes(store->lights);
-}
-
 /* A record of the table, or else the worker's: to be filled unless
  * TABLE_READY, and published if TABLE_MINE. */
 static enum table_state corner_record(struct table *table,

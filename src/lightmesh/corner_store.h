@@ -18,9 +18,6 @@ struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
                                       unsigned threads);
 void corner_store_free(struct corner_store *store);
 
-/* The bytes in use. */
-size_t corner_store_bytes(const struct corner_store *store);
-
 /* The corners around a place. */
 struct corner_cell {
     struct grid_cell name;

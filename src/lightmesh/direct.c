@@ -108,18 +108,6 @@ static void fill_harmonics(const void *context, struct worker *worker,
         add_pick(mesh, worker, site, &picks[i], payload);
 }
 
-void direct_mesh_around(const struct direct_mesh *mesh, struct worker *worker,
-                        const struct mesh_site *site, struct harmonics *light)
-{
-    const struct lamps *lamps = mesh->lamps;
-    if (mesh->many)
-        fill_harmonics(mesh, worker, site, light);
-    for (size_t i = 0; !mesh->many && i < lamps->count; i++) {
-        struct light_pick pick = { &lamps->items[i], 1 };
-        add_pick(mesh, worker, site, &pick, light);
-    }
-}
-
 rgb direct_mesh_share(const struct direct_mesh *mesh,
                       const struct mesh_blend *blend, int number)
 {

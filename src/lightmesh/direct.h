@@ -89,9 +89,4 @@ rgb direct_mesh_irradiance(const struct direct_mesh *mesh,
 rgb direct_mesh_nearest(const struct direct_mesh *mesh, struct worker *worker,
                         const struct receiver *receiver, vec3 jitter);
 
-/* Adds the light of lamps that reaches a site, by a shadow ray for each, or of
- * many lamps for each cluster. */
-void direct_mesh_around(const struct direct_mesh *mesh, struct worker *worker,
-                        const struct mesh_site *site, struct harmonics *light);
-
 #endif

@@ -50,11 +50,6 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     memory_free(pixels);
 }
 
-size_t indirect_pixels_bytes(const struct indirect_pixels *pixels)
-{
-    return corner_store_bytes(pixels->store);
-}
-
 /* The corners around a place that serve it, with their weights. */
 struct corners {
     struct grid_cell name;

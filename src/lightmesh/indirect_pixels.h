@@ -31,7 +31,4 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            const struct receiver *receiver,
                            struct indirect_share *share);
 
-/* The bytes in use. */
-size_t indirect_pixels_bytes(const struct indirect_pixels *pixels);
-
 #endif

@@ -1,6 +1,7 @@
 /* cutaway_textures: a part of a CSG object that has no texture is seen with
  * those of the parts that it cuts. */
 #include "scene/cutaway.h"
+#include "scene/object_probe.h"
 
 #include "parse/rules.h"
 #include "scene/object.h"
@@ -72,6 +73,7 @@ bool cutaway_textures(struct parser *p, struct object *object)
         return false;
     if (b.objects.count == 0)
         return true;
+    object_probe_expect(object, true, p->scene_arena);
     struct cutaway *cutaway = ARENA_NEW(p->scene_arena, struct cutaway);
     *cutaway = (struct cutaway){ b.objects.items, b.objects.count };
     object->texture = texture_by_rule(p, pick_by_insides, cutaway,

@@ -132,8 +132,6 @@ bool constant_is_number(struct parser *p, enum keyword keyword);
 
 /* colour.c: whether the keyword begins a colour: color, rgb, red ... */
 bool colour_begins(enum keyword keyword);
-/* A part named after the colour: red, filter ... */
-bool colour_is_channel(enum keyword keyword);
 bool parse_channels(struct parser *p, struct value *value);
 
 #endif

@@ -107,6 +107,7 @@ void vector_max_extent(struct parser *p, const struct call *call,
 void vector_inside(struct parser *p, const struct call *call,
                    struct value *result)
 {
+    object_probe_expect(call->object, false, p->scene_arena);
     if (object_is_solid(call->object))
         *result = value_float(object_inside(call->object, argument(call, 1)));
     else
@@ -122,6 +123,7 @@ void vector_trace(struct parser *p, const struct call *call,
     struct ray ray = { argument(call, 1), vec3_normalise(argument(call, 2)) };
     double t;
     vec3 normal, point = vec3_make(0, 0, 0);
+    object_probe_expect(call->object, false, p->scene_arena);
     if (object_trace(call->object, &ray, &t, &normal))
         point = ray_point(&ray, t);
     *result = value_vector(point);

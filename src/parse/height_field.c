@@ -95,6 +95,10 @@ static bool picture_begin(void *context, const struct image *image)
 {
     const struct height_picture *picture = context;
     int width = picture->pot ? image->width / 2 : image->width;
+    if (picture->pot && (!image->indexed || image->png))
+        return error_at(picture->p, picture->span, NULL,
+                        "pot means a GIF whose right half has the lower bytes "
+                        "of the heights, this is none");
     return height_room(picture->p, picture->span, picture->grid, width,
                        image->height);
 }

@@ -4,6 +4,7 @@
 #include "parse/rules.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
+#include "scene/object_probe.h"
 #include "token/triangles.h"
 
 /* How many of the last textures a triangle's is compared with, so that a
@@ -299,6 +300,8 @@ void mesh_end(struct parser *p, struct object *object, struct mesh *mesh)
     mesh->solid = vec3_length(mesh->inside_vector) > 0;
     object->patch = !mesh->solid;
     size_t removed = mesh_prepare(mesh);
+    if (mesh->triangle_count >= MESH_PROBES_LEAST)
+        mesh->probes = ARENA_NEW(p->scene_arena, struct mesh_probes);
     if (removed)
         warning_at(p, object->span, NULL, "%zu degenerate triangle%s left out",
                    removed, removed > 1 ? "s" : "");

@@ -120,6 +120,7 @@ static bool parse_object_pattern(struct parser *p, struct pattern *pattern)
                    p, span_join(span, p->last_span), NULL,
                    "the 'object' pattern needs an object with an inside") &&
                block_end(p, made->open, false);
+    object_probe_expect(object, true, p->scene_arena);
     accept(p, TOKEN_COMMA);
     return pattern_sampled(p, pattern) || block_end(p, made->open, false);
 }

@@ -16,12 +16,14 @@ struct sampler_block {
     struct world_hit hits[BLOCK_MOST];
 };
 
+/* Numbers that are too large make an opacity of what is none, which must not
+ * look like a place that isn't sampled: it would be asked for for ever. */
 static inline void sampler_take(const struct radiance *seen, float out[4])
 {
     out[0] = (float)seen->colour.r;
     out[1] = (float)seen->colour.g;
     out[2] = (float)seen->colour.b;
-    out[3] = (float)seen->opacity;
+    out[3] = seen->opacity > UNSEEN ? (float)seen->opacity : 0;
 }
 
 /* Where in their pixels the places of the grid are, both ways. */

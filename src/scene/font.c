@@ -3,7 +3,9 @@
 
 #include "base/array.h"
 
-enum { COMPOSITE_DEPTH = 8, POINTS_LIMIT = 100000 };
+/* A letter has some hundred points, of ornate fonts some thousand: a broken one
+ * could have millions, part within part. */
+enum { COMPOSITE_DEPTH = 8, POINTS_LIMIT = 30000 };
 
 struct table {
     size_t offset, length;
@@ -233,7 +235,7 @@ struct drawing {
     struct affine2 {
         double xx, xy, yx, yy, x, y;
     } map; /* of the letter's points */
-    int parts;
+    int parts, points;
 };
 
 static void drawing_place(const struct drawing *drawing, const double from[2],
@@ -385,7 +387,8 @@ static void draw_simple(struct drawing *drawing, size_t at, int contours)
     size_t next = ends + 2 * (size_t)contours;
     int count = (int)font_u16(font, next - 2) + 1;
     next += 2 + font_u16(font, next);
-    if (next >= font->size || count > POINTS_LIMIT)
+    drawing->points += count;
+    if (next >= font->size || drawing->points > POINTS_LIMIT)
         return;
     uint8_t *bits = ARENA_ARRAY(drawing->arena, uint8_t, (size_t)count);
     struct point *points =

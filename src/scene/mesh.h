@@ -9,6 +9,7 @@
 #include "base/arena.h"
 #include "scene/ray.h"
 
+struct mesh_probes;
 struct texture;
 
 enum { MESH_NONE = 0xffffffff };
@@ -36,6 +37,7 @@ struct mesh {
     bool turned; /* outside is where corners turn to the right: a lone triangle
                   * that was moved, a patch (measured) */
     struct box3 bounds;
+    struct mesh_probes *probes; /* scene/object_probe.h; NULL: few triangles */
 };
 
 /* Whether three points span no area (also when any is not finite). */

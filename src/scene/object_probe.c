@@ -3,6 +3,7 @@
  * an intersection, outside all siblings of a merge, and inside every clip. */
 #include "scene/object_probe.h"
 
+#include "scene/box_tree.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
 
@@ -26,16 +27,101 @@ bool object_is_solid(const struct object *object)
     return object->more->child_count > 0;
 }
 
+/* ---- trees of meshes ---- */
+
+enum {
+    PROBES_FEW = 16,  /* questions that a tree takes longer to make than */
+    TREE_BYTES = 320, /* of a triangle's part of a tree, while it is made */
+};
+
+/* Of the mesh's size: boxes are so much larger, that no rounding hides a hit.
+ */
+static const double box_margin = 1e-7;
+
+static const struct box_tree *mesh_tree(const struct mesh *mesh,
+                                        struct arena *arena)
+{
+    struct arena *boxes_arena = arena_new(0);
+    struct box3 *boxes =
+        ARENA_ARRAY(boxes_arena, struct box3, mesh->triangle_count);
+    double margin =
+        box_margin * vec3_length(vec3_sub(mesh->bounds.high, mesh->bounds.low));
+    const vec3 more = vec3_make(margin, margin, margin);
+    for (size_t i = 0; i < mesh->triangle_count; i++) {
+        struct box3 box = box3_empty();
+        for (int k = 0; k < 3; k++)
+            box = box3_add(box, mesh->vertices[mesh->triangles[i].vertex[k]]);
+        boxes[i] =
+            (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
+    }
+    const struct box_tree *tree =
+        box_tree_new(arena, boxes, mesh->triangle_count);
+    arena_free(boxes_arena);
+    return tree;
+}
+
+static void mesh_expect(const struct mesh *mesh, bool often,
+                        struct arena *arena)
+{
+    struct mesh_probes *probes = mesh->probes;
+    if (!probes || probes->tree || (++probes->asked < PROBES_FEW && !often))
+        return;
+    size_t limit = arena_limit(arena), used = arena_used(arena);
+    if (!limit ||
+        (used < limit && mesh->triangle_count < (limit - used) / TREE_BYTES))
+        probes->tree = mesh_tree(mesh, arena);
+}
+
+void object_probe_expect(const struct object *object, bool often,
+                         struct arena *arena)
+{
+    const struct object_more *more = object->more;
+    if (object->kind == OBJECT_MESH)
+        mesh_expect(object->mesh, often, arena);
+    for (size_t i = 0; i < more->child_count; i++)
+        object_probe_expect(more->children[i], often, arena);
+    for (size_t i = 0; i < more->clip_count; i++)
+        object_probe_expect(more->clips[i].object, often, arena);
+}
+
+/* Triangles that the ray may meet between 0 and *tmax. */
+static void mesh_visit(const struct mesh *mesh, const struct ray *ray,
+                       const double *tmax, box_tree_visit *visit, void *context)
+{
+    if (mesh->probes && mesh->probes->tree) {
+        box_tree_ray(mesh->probes->tree, ray, 0, tmax, visit, context);
+        return;
+    }
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        if (visit(context, i))
+            return;
+}
+
+/* ---- inside() ---- */
+
+struct inside_count {
+    const struct mesh *mesh;
+    struct ray ray;
+    bool odd;
+};
+
+static bool inside_visit(void *context, size_t triangle)
+{
+    struct inside_count *count = context;
+    struct hit hit;
+    if (mesh_intersect(count->mesh, triangle, &count->ray, &hit) && hit.t > 0)
+        count->odd = !count->odd;
+    return false;
+}
+
 /* An odd number of triangles lies in the mesh's inside direction. */
 static bool mesh_inside(const struct mesh *mesh, vec3 point)
 {
-    struct ray ray = { point, mesh->inside_vector };
-    struct hit hit;
-    bool inside = false;
-    for (size_t i = 0; mesh->solid && i < mesh->triangle_count; i++)
-        if (mesh_intersect(mesh, i, &ray, &hit) && hit.t > 0)
-            inside = !inside;
-    return inside;
+    struct inside_count count = { mesh, { point, mesh->inside_vector }, false };
+    const double far = HUGE_VAL;
+    if (mesh->solid)
+        mesh_visit(mesh, &count.ray, &far, inside_visit, &count);
+    return count.odd;
 }
 
 static bool content_inside(const struct object *object, vec3 point)
@@ -174,33 +260,58 @@ static void probe_shape(struct probe *probe, const struct level *level,
         probe_hit(&shape, &hits.at[i]);
 }
 
-/* The normal of a flat triangle a, b, c is (c - a) x (b - a) (measured): the
- * other side's; for rendering it does not matter. */
+struct probe_mesh {
+    struct probe *probe;
+    const struct level *level;
+    const struct ray *ray;
+    size_t best; /* the triangle that probe.best is on; 0 also for none */
+};
+
+/* Of triangles in one place the first counts, whichever is looked at first. The
+ * normal of a flat triangle a, b, c is (c - a) x (b - a) (measured): the other
+ * side's; for rendering it does not matter. */
+static bool probe_triangle(void *context, size_t i)
+{
+    struct probe_mesh *all = context;
+    struct probe *probe = all->probe;
+    const struct mesh *mesh = all->level->object->mesh;
+    struct hit hit;
+    if (!mesh_intersect(mesh, i, all->ray, &hit))
+        return false;
+    vec3 normal = mesh_normal(mesh, i, hit.u, hit.v);
+    if (mesh->triangles[i].normal[0] == MESH_NONE)
+        normal = vec3_negate(normal);
+    bool sooner = hit.t < probe->best;
+    if (hit.t == probe->best && i < all->best)
+        probe->best = nextafter(hit.t, HUGE_VAL);
+    probe_crossing(probe, all->level, hit.t, normal);
+    if (probe->best == hit.t && (sooner || i < all->best))
+        all->best = i;
+    return false;
+}
+
 static void probe_mesh(struct probe *probe, const struct level *level,
                        const struct ray *ray)
 {
     const struct mesh *mesh = level->object->mesh;
-    struct hit hit;
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        if (!mesh_intersect(mesh, i, ray, &hit))
-            continue;
-        vec3 normal = mesh_normal(mesh, i, hit.u, hit.v);
-        if (mesh->triangles[i].normal[0] == MESH_NONE)
-            normal = vec3_negate(normal);
-        probe_crossing(probe, level, hit.t, normal);
-    }
+    struct probe_mesh all = { probe, level, ray, 0 };
+    mesh_visit(mesh, ray, &probe->best, probe_triangle, &all);
 }
 
 static void probe_object(struct probe *probe, const struct object *object,
                          const struct level *above)
 {
-    affine inverse;
-    if (!affine_inverse(*object->maps->own, &inverse))
+    affine inverse = affine_unmoved, to_own;
+    bool moved = object->maps->own != &affine_unmoved;
+    if (moved && !affine_inverse(*object->maps->own, &inverse))
         return;
+    to_own = above ? above->to_own : inverse;
+    if (above && moved)
+        to_own = affine_compose(inverse, above->to_own);
     struct level level = {
         .above = above,
         .object = object,
-        .to_own = above ? affine_compose(inverse, above->to_own) : inverse,
+        .to_own = to_own,
         .inverse = object->inverse != (above && above->inverse),
     };
     struct ray ray = { affine_point(&level.to_own, probe->ray.origin),

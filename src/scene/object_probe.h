@@ -1,11 +1,28 @@
 /* What a scene's text may ask about an object while the scene is still being
  * read: is a point inside, where does a ray meet it. Slow, straight from the
- * tree; the renderer has its own way (world/). */
+ * tree, but for meshes; the renderer has its own way (world/). */
 #ifndef SCENE_OBJECT_PROBE_H
 #define SCENE_OBJECT_PROBE_H
 
 #include "scene/object.h"
 #include "scene/ray.h"
+
+struct box_tree;
+
+/* What a mesh of many triangles has in mesh.probes. */
+struct mesh_probes {
+    unsigned asked;              /* how often it was to be asked */
+    const struct box_tree *tree; /* of its triangles' boxes; NULL: not yet */
+};
+
+/* Triangles from which on a mesh has it. */
+enum { MESH_PROBES_LEAST = 32 };
+
+/* Before an object is asked, or `often`: before it is asked very often, by many
+ * threads. Its meshes get their trees, in the arena, when these pay and there
+ * is room. By one thread at a time. */
+void object_probe_expect(const struct object *object, bool often,
+                         struct arena *arena);
 
 /* Whether the object has an inside at all. */
 bool object_is_solid(const struct object *object);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/lesser.h"
+#include "base/memory.h"
 #include "scene/polynomial.h"
 
 struct segment segment_line(const double a[2], const double b[2])
@@ -217,8 +218,91 @@ static size_t segment_cut(const struct segment *segment,
     return made;
 }
 
+/* While an outline is made, which of its pieces are beside a point: bands of y,
+ * of the same height, and the pieces that reach into each. */
+struct bands {
+    double low, scale; /* y to bands */
+    size_t count;
+    uint32_t *begin; /* count + 1: where each one's members are */
+    uint32_t *members;
+};
+
+enum { BAND_PIECES = 4, BAND_SHARES = 8 }; /* in a band; bands of a piece */
+
+static size_t band_at(const struct bands *bands, double y)
+{
+    double band = (y - bands->low) * bands->scale;
+    if (!(band > 0))
+        return 0;
+    return band < (double)bands->count ? (size_t)band : bands->count - 1;
+}
+
+/* How many members there are in all. */
+static size_t bands_members(const struct bands *bands,
+                            const struct outline *outline)
+{
+    size_t members = 0;
+    for (size_t i = 0; i < outline->count; i++)
+        members += band_at(bands, outline->pieces[i].high[1]) -
+                   band_at(bands, outline->pieces[i].low[1]) + 1;
+    return members;
+}
+
+/* Of pieces that are long and upright fewer bands, which would all have the
+ * same members. Freed with memory_free(begin). */
+static struct bands bands_new(const struct outline *outline)
+{
+    double low = outline->low[1], size = outline->high[1] - low;
+    struct bands bands = { .low = low,
+                           .count = outline->count / BAND_PIECES + 1 };
+    size_t members;
+    for (;; bands.count /= 2) {
+        bands.scale = size > 0 ? (double)bands.count / size : 0;
+        members = bands_members(&bands, outline);
+        if (members <= BAND_SHARES * outline->count || bands.count == 1)
+            break;
+    }
+    bands.begin = memory_new((bands.count + 1 + members) * sizeof(uint32_t));
+    bands.members = bands.begin + bands.count + 1;
+    for (size_t i = 0; i < outline->count; i++)
+        for (size_t b = band_at(&bands, outline->pieces[i].low[1]);
+             b <= band_at(&bands, outline->pieces[i].high[1]); b++)
+            bands.begin[b]++;
+    for (size_t b = 0, at = 0; b <= bands.count; b++)
+        bands.begin[b] = (uint32_t)(at += bands.begin[b]);
+    for (size_t i = outline->count; i-- > 0;)
+        for (size_t b = band_at(&bands, outline->pieces[i].low[1]);
+             b <= band_at(&bands, outline->pieces[i].high[1]); b++)
+            bands.members[--bands.begin[b]] = (uint32_t)i;
+    return bands;
+}
+
+static bool piece_is_right(const struct piece *piece, double x, double y);
+
+/* Whether something of the outline may be to the right of the point. */
+static inline bool outline_reaches(const struct outline *outline, double x,
+                                   double y)
+{
+    return x <= outline->high[0] && y >= outline->low[1] &&
+           y <= outline->high[1];
+}
+
+/* As outline_covers. */
+static bool bands_cover(const struct bands *bands,
+                        const struct outline *outline, double x, double y)
+{
+    bool odd = false;
+    if (!outline_reaches(outline, x, y))
+        return false;
+    size_t band = band_at(bands, y);
+    for (uint32_t i = bands->begin[band]; i < bands->begin[band + 1]; i++)
+        odd ^= piece_is_right(&outline->pieces[bands->members[i]], x, y);
+    return odd;
+}
+
 /* Which side of the piece is out: looked at from a little beside it. */
 static double piece_outward(const struct outline *outline,
+                            const struct bands *bands,
                             const struct piece *piece)
 {
     double p[2], t[2];
@@ -227,8 +311,9 @@ static double piece_outward(const struct outline *outline,
     double size = hypot(outline->high[0] - outline->low[0],
                         outline->high[1] - outline->low[1]);
     double step = 1e-6 * size / hypot(t[0], t[1]);
-    return outline_covers(outline, p[0] + step * t[1], p[1] - step * t[0]) ? -1
-                                                                           : 1;
+    return bands_cover(bands, outline, p[0] + step * t[1], p[1] - step * t[0])
+               ? -1
+               : 1;
 }
 
 /* Cut twice, since there may be many outlines and each takes only what it
@@ -262,8 +347,11 @@ struct outline outline_new(struct arena *arena, const struct segment *segments,
             outline.low[k] = fmin(outline.low[k], piece->low[k]);
             outline.high[k] = fmax(outline.high[k], piece->high[k]);
         }
+    struct bands bands = bands_new(&outline);
     for (size_t i = 0; i < outline.count; i++)
-        outline.pieces[i].outward = piece_outward(&outline, &outline.pieces[i]);
+        outline.pieces[i].outward =
+            piece_outward(&outline, &bands, &outline.pieces[i]);
+    memory_free(bands.begin);
     return outline;
 }
 
@@ -312,8 +400,7 @@ static bool piece_is_right(const struct piece *piece, double x, double y)
 bool outline_covers(const struct outline *outline, double x, double y)
 {
     bool odd = false;
-    if (!(x <= outline->high[0] && y >= outline->low[1] &&
-          y <= outline->high[1]))
+    if (!outline_reaches(outline, x, y))
         return false;
     for (size_t i = 0; i < outline->count; i++)
         odd ^= piece_is_right(&outline->pieces[i], x, y);

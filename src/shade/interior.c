@@ -56,14 +56,6 @@ bool interiors_open(const struct interiors *list)
     return true;
 }
 
-bool interiors_misty(const struct interiors *list)
-{
-    for (int i = 0; i < list->count; i++)
-        if (list->at[i].interior && list->at[i].interior->media.count > 0)
-            return true;
-    return false;
-}
-
 bool interior_dims_shadows(const struct interior *interior)
 {
     return interior && interior->fade_power > 0 && interior->fade_distance > 0;

@@ -59,9 +59,6 @@ static inline double interiors_ior(const struct interiors *list)
 /* Fog reaches the ray: all it is inside of is hollow. */
 bool interiors_open(const struct interiors *list);
 
-/* Whether any of them holds media. */
-bool interiors_misty(const struct interiors *list);
-
 /* The share of light left after `distance` inside; white without a
  * fade_distance. */
 rgb interior_fade(const struct interior *interior, double distance);

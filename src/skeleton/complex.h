@@ -16,8 +16,9 @@
 /* Eight times the lattice point plus the axes: 3 bits, 1 for x, 2 y, 4 z. */
 typedef uint32_t cell;
 
-/* Voxels in a grid at most: then cells fit in their type. */
-enum { COMPLEX_VOXELS_MAX = 1 << 28 };
+/* Voxels in a grid at most, whose sides are of 2048: then cells fit in their
+ * type, though there are a few more lattice points. */
+enum { COMPLEX_VOXELS_MAX = 500000000 };
 
 struct complex {
     int size[3];    /* lattice points: voxels + 1, and one that stays empty */

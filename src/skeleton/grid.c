@@ -6,6 +6,7 @@
 #include "base/array.h"
 #include "base/memory.h"
 #include "scene/mesh.h"
+#include "skeleton/complex.h"
 
 enum {
     MARGIN = 3,      /* voxels besides those of the box, in all: walls at its
@@ -161,8 +162,7 @@ static bool fits(struct box3 box, int resolution, double bytes)
 {
     double edge, size[3];
     grid_sizes(box, resolution, &edge, size);
-    return voxels_needed(size) * VOXEL_BYTES <= bytes &&
-           voxels_needed(size) < 4294967295.0 && resolution < 65535;
+    return voxels_needed(size) * VOXEL_BYTES <= bytes && resolution < 65535;
 }
 
 static void report_size(struct box3 box, int resolution, double bytes,
@@ -181,13 +181,20 @@ static void report_size(struct box3 box, int resolution, double bytes,
                voxels_needed(size) * VOXEL_BYTES / 1e9, bytes / 1e9, possible);
 }
 
+/* Half of the memory, or as many voxels as a complex can number. */
+static double bytes_allowed(void)
+{
+    return fmin((double)memory_available() / 2,
+                (double)COMPLEX_VOXELS_MAX * VOXEL_BYTES);
+}
+
 bool grid_place(struct voxels *grid, const struct world *world,
                 const struct camera *camera, struct grid_wish wish,
                 struct diag *diag)
 {
     struct box3 box = find_box(world, camera, wish.still);
     int resolution = wish.resolution;
-    double bytes = (double)memory_available() / 2, size[3];
+    double bytes = bytes_allowed(), size[3];
     if (resolution <= 0)
         resolution = VOXELS_RESOLUTION;
     if (resolution < VOXELS_RESOLUTION_LEAST)

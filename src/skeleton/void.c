@@ -214,13 +214,3 @@ size_t void_facing(const struct void_space *space, vec3 point, vec3 normal)
     }
     return VOXEL_NONE;
 }
-
-int void_sky_faces(const struct void_space *space, size_t voxel)
-{
-    const int *size = space->voxels.size;
-    int at[3], count = 0;
-    voxels_place(&space->voxels, voxel, at);
-    for (int i = 0; i < 3; i++)
-        count += (at[i] == 0) + (at[i] == size[i] - 1);
-    return count;
-}

@@ -49,7 +49,4 @@ void void_free(struct void_space *space);
  * (unit) points to, or VOXEL_NONE. */
 size_t void_facing(const struct void_space *space, vec3 point, vec3 normal);
 
-/* How many faces of a void voxel are open to the sky: on the grid's border. */
-int void_sky_faces(const struct void_space *space, size_t voxel);
-
 #endif

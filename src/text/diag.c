@@ -209,11 +209,3 @@ void diag_print(struct diag *diag, enum diag_level level, struct span span,
     diag_vprint(diag, level, span, hint, format, arguments);
     va_end(arguments);
 }
-
-void diag_include_trace(struct diag *diag, struct span span)
-{
-    while (span.source && span.source->included_from.source) {
-        span = span.source->included_from;
-        diag_print(diag, DIAG_NOTE, span, NULL, "included from here");
-    }
-}

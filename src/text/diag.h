@@ -56,8 +56,4 @@ diag_print(struct diag *diag, enum diag_level level, struct span span,
 void diag_vprint(struct diag *diag, enum diag_level level, struct span span,
                  const char *hint, const char *format, va_list arguments);
 
-/* Notes "included from" for every include between the span and the main
- * file, innermost first. */
-void diag_include_trace(struct diag *diag, struct span span);
-
 #endif

@@ -86,8 +86,3 @@ bool follow_changed(struct follow *follow)
     follow->next = now + follow_pause;
     return true;
 }
-
-size_t follow_count(const struct follow *follow)
-{
-    return follow->files.count;
-}

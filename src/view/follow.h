@@ -19,7 +19,4 @@ void follow_files(struct follow *follow, struct file_list files);
  * half a second. Quick: to be called often. */
 bool follow_changed(struct follow *follow);
 
-/* How many there are. */
-size_t follow_count(const struct follow *follow);
-
 #endif

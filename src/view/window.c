@@ -85,11 +85,6 @@ void window_close(struct window *window)
     memory_free(window);
 }
 
-void window_title(struct window *window, const char *title)
-{
-    SDL_SetWindowTitle(window->window, title);
-}
-
 void window_resize(struct window *window, int width, int height)
 {
     SDL_SetWindowSize(window->window, width, height);

@@ -14,7 +14,6 @@ struct window;
 struct window *window_open(const char *title, int width, int height,
                            struct diag *diag);
 void window_close(struct window *window);
-void window_title(struct window *window, const char *title);
 
 void window_resize(struct window *window, int width, int height);
 
