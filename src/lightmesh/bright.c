@@ -252,6 +252,21 @@ static uint64_t disc_key(const struct bright_disc *disc, double side)
     return key;
 }
 
+static void aim_lane(struct aim *aim, int i)
+{
+    const struct aim_disc *disc = &aim->disc[i];
+    struct aim_lanes *lanes = &aim->lanes;
+    double height = -vec3_dot(disc->offset, disc->normal);
+    double square = aim->radius * aim->radius;
+    for (int axis = 0; axis < 3; axis++) {
+        lanes->offset[axis][i] = vec3_component(disc->offset, axis);
+        lanes->against[axis][i] = -vec3_component(disc->normal, axis);
+    }
+    lanes->height[i] = height;
+    lanes->beside[i] = vec3_dot(disc->offset, disc->offset) - square;
+    lanes->rays[i] = disc->rays * height * height / (WARP_PI * square);
+}
+
 void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
               uint32_t rays)
 {
@@ -272,7 +287,8 @@ void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
             continue;
         aim->disc[count] = aim->disc[i];
         aim->disc[count].rays = fmin(wanted, AIM_RAYS_MOST);
-        aim->rays += aim->disc[count++].rays;
+        aim->rays += aim->disc[count].rays;
+        aim_lane(aim, count++);
     }
     aim->count = count;
 }
@@ -289,16 +305,34 @@ vec3 aim_way(const struct aim *aim, const struct aim_disc *disc,
     return vec3_normalise(to);
 }
 
+/* Of each disc. A way meets its plane at height / facing; all is multiplied by
+ * facing squared, so that nothing is divided where nothing is met. */
+CLONES static void lanes_density(const struct aim_lanes *lanes, int count,
+                                 const double way[3],
+                                 double density[BRIGHT_MOST])
+{
+    const double x = way[0], y = way[1], z = way[2];
+    for (int i = 0; i < count; i++) {
+        double facing = x * lanes->against[0][i] + y * lanes->against[1][i] +
+                        z * lanes->against[2][i];
+        double along = x * lanes->offset[0][i] + y * lanes->offset[1][i] +
+                       z * lanes->offset[2][i];
+        double height = lanes->height[i];
+        double outside = height * (height - 2 * along * facing) +
+                         lanes->beside[i] * facing * facing;
+        double each = lanes->rays[i] / (facing * facing * facing);
+        density[i] = (facing > 0) & (outside <= 0) ? each : 0;
+    }
+}
+
 double aim_density(const struct aim *aim, vec3 way)
 {
-    double density = 0, square = aim->radius * aim->radius;
-    for (int i = 0; i < aim->count; i++) {
-        const struct aim_disc *disc = &aim->disc[i];
-        double facing = -vec3_dot(way, disc->normal);
-        double t = -vec3_dot(disc->offset, disc->normal) / facing;
-        vec3 apart = vec3_sub(vec3_scale(way, t), disc->offset);
-        if (facing > 0 && t > 0 && vec3_dot(apart, apart) <= square)
-            density += disc->rays * t * t / (facing * WARP_PI * square);
-    }
+    const double direction[3] = { way.x, way.y, way.z };
+    double each[BRIGHT_MOST], density = 0;
+    if (aim->count == 0)
+        return 0;
+    lanes_density(&aim->lanes, aim->count, direction, each);
+    for (int i = 0; i < aim->count; i++)
+        density += each[i];
     return density;
 }

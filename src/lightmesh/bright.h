@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/clones.h"
 #include "base/vec.h"
 
 enum { BRIGHT_MOST = 64 };
@@ -39,11 +40,22 @@ struct bright_hit {
 /* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
 
+/* Discs side by side, for aim_density. */
+struct aim_lanes {
+    LANE_LINES double offset[3][BRIGHT_MOST];
+    double against[3][BRIGHT_MOST]; /* the normal's opposite */
+    double height[BRIGHT_MOST];     /* of the point above the disc's plane */
+    double beside[BRIGHT_MOST];     /* squared distance of the middle, less that
+                                     * of the rim from it */
+    double rays[BRIGHT_MOST];       /* per area, times the squared height */
+};
+
 /* The bright places as a mesh point sees them. */
 struct aim {
     int count;
     double radius;
     double rays; /* of all discs */
+    struct aim_lanes lanes;
     struct aim_disc {
         vec3 offset, normal; /* from the mesh point */
         double rays;         /* that it is worth: the last may count in part, so

@@ -8,7 +8,8 @@
 
 /* What glows of itself at the first surface along the ray. */
 static rgb glow_met(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, struct intersection *at)
+                    const struct ray *ray, const struct leaf *leaf,
+                    struct intersection *at)
 {
     struct surface surface;
     at->leaf = NULL;
@@ -18,6 +19,8 @@ static rgb glow_met(const struct gather *gather, struct worker *worker,
         at->leaf = NULL;
         return rgb_grey(0);
     }
+    if (at->leaf != leaf)
+        return rgb_grey(0);
     gather_surface(gather, ray, at, &surface);
     return surface_glow(&surface);
 }
@@ -43,7 +46,7 @@ bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
     if (!emitters_pick(gather->emitters, place, which, u, &pick))
         return false;
     struct ray ray = { place, pick.direction };
-    found->light = glow_met(gather, worker, &ray, &at);
+    found->light = glow_met(gather, worker, &ray, pick.leaf, &at);
     found->direction = pick.direction;
     found->density = pick.density;
     if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)

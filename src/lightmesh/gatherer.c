@@ -15,6 +15,7 @@ struct gatherer {
     uint32_t wall_share;  /* of ways into a wall one of so many is gone */
     uint32_t count, even; /* rays, and how many of them everywhere alike; the
                            * others go to bright places */
+    uint32_t picks;       /* rays to what glows */
     struct aim aim;
 };
 
@@ -101,7 +102,8 @@ static struct brought gatherer_look(const struct gatherer *gatherer,
     double density = gatherer_density(gatherer, ray.direction);
     struct gathered_ray found;
     gather_rays_follow(gather, gatherer->worker, &waiting->rays, i, &found);
-    rgb light = gather_balanced(gather, &ray, density, &found);
+    double picks = density * gatherer->count / gatherer->picks;
+    rgb light = gather_balanced(gather, &ray, picks, &found);
     return (struct brought){ light, found.open, density };
 }
 
@@ -143,7 +145,7 @@ static void gatherer_pick(const struct gatherer *gatherer,
     if (gather_pick(&gatherer->mesh->gather, gatherer->worker,
                     gatherer->site->place, draws, &found))
         indirect_light_add(light, found.direction, found.light, 0,
-                           found.density +
+                           found.density * gatherer->picks / gatherer->count +
                                gatherer_density(gatherer, found.direction));
 }
 
@@ -287,8 +289,8 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
     gatherer_aim(gatherer, &waiting, &sum);
     (cells ? gatherer_cells : gatherer_even)(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
-        for (uint32_t i = 0; i < count && !worker_stopped(gatherer->worker);
-             i++) {
+        for (uint32_t i = 0;
+             i < gatherer->picks && !worker_stopped(gatherer->worker); i++) {
             struct draws draws = gatherer_draws(gatherer, i);
             gatherer_pick(gatherer, &draws, &sum.light);
         }
@@ -332,6 +334,7 @@ void gatherer_fill(const void *context, struct worker *worker,
         if (gatherer.aim.count > 0)
             gatherer.even = even;
     }
+    gatherer.picks = (gatherer.count + PICK_PART - 1) / PICK_PART;
     struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);
     *(struct indirect_light *)payload = light.light;

@@ -200,6 +200,9 @@ enum {
     HIT_LEVELS = 1,       /* direct light on what they meet is coarser */
     WALL_PART = 4,        /* of ways into the only wall one in so many */
     BRIGHT_PART = 2,      /* one ray in so many goes to bright places */
+    PICK_PART = 2,        /* for so many rays one to what glows: others do not
+                           * differ as much [an emissive Cornell box, a room
+                           * with a lamp: 0.75 of the time] */
     WAYS_MOST = 65536,    /* directions that are kept */
     GATHER_PANES = 64,    /* that a ray passes */
     GATHER_MIRRORS = 3,   /* on one way */
