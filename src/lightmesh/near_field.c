@@ -153,18 +153,17 @@ static double share_deep(double met)
     return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
 }
 
-/* A packet from number `first` on. Deep in a crevice a few rays don't tell
- * whether any light gets in, which would be seen as steps and as black spots
- * under balls: there as many are sent as from a corner. Returns how many meet
- * something. */
+/* A packet from number `first` on. Where a few rays all meet something they
+ * don't tell whether any light gets in, which would be seen as steps and as
+ * black spots under balls: there as many are sent as from a corner. Returns how
+ * many meet something. */
 static unsigned nearby_send(struct nearby *nearby, int first,
                             struct gather_rays *sent)
 {
     const struct near_ways *most = &nearby->mesh->near;
     nearby_trace(nearby, first, sent);
     unsigned met = nearby_met(sent);
-    if (first > 0 || nearby->ways->count >= most->count ||
-        met < near_deep * sent->count)
+    if (first > 0 || nearby->ways->count >= most->count || met < sent->count)
         return met;
     nearby->ways = most;
     nearby_trace(nearby, first, sent);
