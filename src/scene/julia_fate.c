@@ -10,6 +10,7 @@
 
 #include "base/clones.h"
 #include "base/octet_math.h"
+#include "base/quad.h"
 
 /* Of all that stays a ray goes at most so much of the radius at a time: an
  * estimate by derivatives knows nothing of what is farther. */
@@ -23,47 +24,6 @@ static const double beyond_far = 1e6;
 
 /* Whose points they are. */
 enum julia_kind { JULIA_SQUARES, JULIA_CUBES, JULIA_TWINS };
-
-/* Four of the eight: what they need at each step fits into the registers of a
- * processor whose instructions are as wide, and of vectors that are wider gcc
- * compares number by number and keeps copies. */
-enum { QUAD = 4 };
-
-typedef double quad __attribute__((vector_size(QUAD * sizeof(double))));
-typedef int64_t quad_bits __attribute__((vector_size(QUAD * sizeof(int64_t))));
-
-INLINED quad quad_choose(quad_bits where, quad yes, quad no)
-{
-    return (quad)((where & (quad_bits)yes) | (~where & (quad_bits)no));
-}
-
-INLINED bool quad_any(quad_bits bits)
-{
-    return (bits[0] | bits[1] | bits[2] | bits[3]) != 0;
-}
-
-/* Those of eight from that one on, and back. */
-INLINED quad quad_of(const octet *all, int from)
-{
-    quad part;
-    memcpy(&part, (const char *)all + from * sizeof(double), sizeof part);
-    return part;
-}
-
-INLINED void quad_into(octet *all, int from, quad part)
-{
-    memcpy((char *)all + from * sizeof(double), &part, sizeof part);
-}
-
-INLINED quad_bits quad_bits_of(const octet_bits *all, int from)
-{
-    return (quad_bits)quad_of((const octet *)all, from);
-}
-
-INLINED void quad_bits_into(octet_bits *all, int from, quad_bits part)
-{
-    quad_into((octet *)all, from, (quad)part);
-}
 
 /* Numbers of four parts; a hypercomplex one is two complex ones that know
  * nothing of each other (julia_orbit.c): first the one, then the other. */
