@@ -8,6 +8,7 @@
 
 #include "base/clones.h"
 #include "base/pair.h"
+#include "base/quad.h"
 
 typedef int64_t pair_bits __attribute__((vector_size(PAIR * sizeof(int64_t))));
 
@@ -29,9 +30,9 @@ INLINED pair_bits pair_less(pair a, pair b)
 #undef BITS
 #undef NAMED
 
-#define NUMBERS     octet
-#define BITS        octet_bits
-#define NAMED(name) octet_##name
+#define NUMBERS     quad
+#define BITS        quad_bits
+#define NAMED(name) quad_##name
 #include "base/angles.h"
 
 /* Beyond it a multiple of the first part of pi/2 is not exact. */
@@ -39,40 +40,50 @@ static const double angle_limit = 1e8;
 
 static const double arc_limit = 1e150;
 
-INLINED bool octet_within(const octet *x, double limit)
+INLINED bool quad_within(quad x, double limit)
 {
-    const octet_bits within = octet_magnitude(*x) <= limit;
-    int64_t all = -1;
-    for (int i = 0; i < OCTET; i++)
-        all &= within[i];
-    return all != 0;
+    const quad most = (quad){ 0 } + limit;
+    const quad_bits within = quad_magnitude(x) <= most;
+    return (within[0] & within[1] & within[2] & within[3]) != 0;
+}
+
+/* The sines of four and `ahead` quarter turns. */
+INLINED void quads_sine(octet *x, int from, int64_t ahead)
+{
+    const quad at = quad_of(x, from);
+    if (quad_within(at, angle_limit))
+        quad_into(x, from, quad_sine_ahead(at, ahead));
+    else
+        for (int i = from; i < from + QUAD; i++)
+            (*x)[i] = ahead ? lone_cos((*x)[i]) : lone_sin((*x)[i]);
 }
 
 CLONES void octet_sin(octet *x)
 {
-    if (octet_within(x, angle_limit))
-        *x = octet_sine_ahead(*x, 0);
-    else
-        for (int i = 0; i < OCTET; i++)
-            (*x)[i] = lone_sin((*x)[i]);
+    for (int from = 0; from < OCTET; from += QUAD)
+        quads_sine(x, from, 0);
 }
 
 CLONES void octet_cos(octet *x)
 {
-    if (octet_within(x, angle_limit))
-        *x = octet_sine_ahead(*x, 1);
+    for (int from = 0; from < OCTET; from += QUAD)
+        quads_sine(x, from, 1);
+}
+
+INLINED void quads_arc(octet *y, const octet *x, int from)
+{
+    const quad high = quad_of(y, from), across = quad_of(x, from);
+    if (quad_within(high, arc_limit) && quad_within(across, arc_limit))
+        quad_into(y, from, quad_arc_of(high, across));
     else
-        for (int i = 0; i < OCTET; i++)
-            (*x)[i] = lone_cos((*x)[i]);
+        for (int i = from; i < from + QUAD; i++)
+            (*y)[i] = lone_atan2((*y)[i], (*x)[i]);
 }
 
 CLONES void octet_atan2(octet *y, const octet *x)
 {
-    if (octet_within(y, arc_limit) && octet_within(x, arc_limit))
-        *y = octet_arc_of(*y, *x);
-    else
-        for (int i = 0; i < OCTET; i++)
-            (*y)[i] = lone_atan2((*y)[i], (*x)[i]);
+    for (int from = 0; from < OCTET; from += QUAD)
+        quads_arc(y, x, from);
 }
 
 CLONES void octet_sqrt(octet *x)
@@ -84,7 +95,7 @@ CLONES void octet_sqrt(octet *x)
 
 CLONES void octet_abs(octet *x)
 {
-    *x = octet_magnitude(*x);
+    *x = (octet)((octet_bits)*x & INT64_MAX);
 }
 
 /* ln 2; the first part of it ends in zeros, so that whole multiples of it are

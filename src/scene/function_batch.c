@@ -7,6 +7,7 @@
 
 #include "base/clones.h"
 #include "base/octet_math.h"
+#include "base/quad.h"
 #include "scene/function.h"
 #include "scene/spots.h"
 
@@ -119,47 +120,61 @@ static octet *batch_step(const struct step *step, octet *top, int count)
 /* The three kinds of steps of an operator. */
 #define ARITHMETIC(name, operator)                                             \
     case STEP_##name:                                                          \
-        last = *--top operator last;                                           \
+        top--;                                                                 \
+        low = quad_of(top, 0) operator low;                                    \
+        high = quad_of(top, QUAD) operator high;                               \
         break;                                                                 \
     case STEP_##name##_LOCAL:                                                  \
-        last = last operator locals[step->slot];                               \
+        low = low operator quad_of(&locals[step->slot], 0);                    \
+        high = high operator quad_of(&locals[step->slot], QUAD);               \
         break;                                                                 \
     case STEP_##name##_NUMBER:                                                 \
-        last = last operator step->number;                                     \
+        low = low operator step->number;                                       \
+        high = high operator step->number;                                     \
         break;
 
+INLINED void batch_put(octet *place, quad low, quad high)
+{
+    quad_into(place, 0, low);
+    quad_into(place, QUAD, high);
+}
+
 /* Below what it leaves on the stack there is one number that isn't used. The
- * result takes the place of the first parameter. */
+ * result takes the place of the first parameter. The topmost number is `low`
+ * and `high`, whose registers every processor has that has wide ones. */
 CLONES static void batch_run(const struct function *f, octet *locals,
                              octet *top, int count)
 {
     const struct step *step = f->steps.items;
     const struct step *stop = step + f->steps.count;
-    octet last = { 0 };
+    quad low = { 0 }, high = { 0 };
     for (; step < stop; step++) {
         switch (step->kind) {
         case STEP_NUMBER:
-            *top++ = last;
-            last = (octet){ 0 } + step->number;
+            batch_put(top++, low, high);
+            low = high = (quad){ 0 } + step->number;
             break;
         case STEP_LOCAL:
-            *top++ = last;
-            last = locals[step->slot];
+            batch_put(top++, low, high);
+            low = quad_of(&locals[step->slot], 0);
+            high = quad_of(&locals[step->slot], QUAD);
             break;
         case STEP_NEGATE:
-            last = -last;
+            low = -low;
+            high = -high;
             break;
             ARITHMETIC(PLUS, +)
             ARITHMETIC(MINUS, -)
             ARITHMETIC(TIMES, *)
             ARITHMETIC(OVER, /)
         default:
-            *top++ = last;
+            batch_put(top++, low, high);
             top = batch_step(step, top, count);
-            last = *top;
+            low = quad_of(top, 0);
+            high = quad_of(top, QUAD);
         }
     }
-    *locals = last;
+    batch_put(locals, low, high);
 }
 
 /* A power for one number, and for eight: to the same bit. */

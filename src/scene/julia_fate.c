@@ -10,6 +10,7 @@
 
 #include "base/clones.h"
 #include "base/octet_math.h"
+#include "base/quad.h"
 
 /* Of all that stays a ray goes at most so much of the radius at a time: an
  * estimate by derivatives knows nothing of what is farther. */
@@ -27,25 +28,27 @@ enum julia_kind { JULIA_SQUARES, JULIA_CUBES, JULIA_TWINS };
 /* Numbers of four parts; a hypercomplex one is two complex ones that know
  * nothing of each other (julia_orbit.c): first the one, then the other. */
 struct numbers {
-    octet part[4];
-    octet half2[2], size2; /* sizes, squared: of complex ones, and of all */
+    quad part[4];
+    quad half2[2], size2; /* sizes, squared: of complex ones, and of all */
 };
 
 INLINED void numbers_start(const struct julia_fractal *f,
-                           const struct julia_points *p, enum julia_kind kind,
-                           struct numbers *n)
+                           const struct julia_points *p, int from,
+                           enum julia_kind kind, struct numbers *n)
 {
-    const octet w = f->w[0] * p->x + f->w[1] * p->y + f->w[2] * p->z + f->w[3];
+    const quad x = quad_of(&p->x, from), y = quad_of(&p->y, from);
+    const quad z = quad_of(&p->z, from);
+    const quad w = f->w[0] * x + f->w[1] * y + f->w[2] * z + f->w[3];
     bool twins = kind == JULIA_TWINS;
-    n->part[0] = twins ? p->x - w : p->x;
-    n->part[1] = twins ? p->y + p->z : p->y;
-    n->part[2] = twins ? p->x + w : p->z;
-    n->part[3] = twins ? p->y - p->z : w;
+    n->part[0] = twins ? x - w : x;
+    n->part[1] = twins ? y + z : y;
+    n->part[2] = twins ? x + w : z;
+    n->part[3] = twins ? y - z : w;
 }
 
 INLINED void numbers_measure(struct numbers *n, enum julia_kind kind)
 {
-    const octet *v = n->part;
+    const quad *v = n->part;
     n->half2[0] = v[0] * v[0] + v[1] * v[1];
     n->half2[1] = v[2] * v[2] + v[3] * v[3];
     n->size2 = n->half2[0] + n->half2[1];
@@ -57,9 +60,9 @@ INLINED void numbers_measure(struct numbers *n, enum julia_kind kind)
 INLINED void numbers_step(const struct julia_fractal *f, struct numbers *n,
                           enum julia_kind kind)
 {
-    octet *v = n->part;
-    const octet real = v[0] * v[0], rest = n->size2 - real;
-    const octet factor = kind == JULIA_CUBES ? 3 * real - rest : 2 * v[0];
+    quad *v = n->part;
+    const quad real = v[0] * v[0], rest = n->size2 - real;
+    const quad factor = kind == JULIA_CUBES ? 3 * real - rest : 2 * v[0];
     if (kind == JULIA_TWINS) {
         v[1] = factor * v[1] + (f->c[1] + f->c[2]);
         v[0] = 2 * real - n->half2[0] + (f->c[0] - f->c[3]);
@@ -75,8 +78,8 @@ INLINED void numbers_step(const struct julia_fractal *f, struct numbers *n,
 
 /* By how much the step lengthens derivatives, squared: of either complex
  * number. */
-INLINED octet numbers_growth(const struct numbers *n, enum julia_kind kind,
-                             int half)
+INLINED quad numbers_growth(const struct numbers *n, enum julia_kind kind,
+                            int half)
 {
     return kind == JULIA_TWINS   ? 4 * n->half2[half]
            : kind == JULIA_CUBES ? 9 * n->size2 * n->size2
@@ -86,76 +89,116 @@ INLINED octet numbers_growth(const struct numbers *n, enum julia_kind kind,
 /* What has become of points: of each the size and the length of its derivative
  * when all was known, both squared. */
 struct flights {
-    octet size2, half2[2], growth2[2];
+    octet size2, half2[2], growth2[2]; /* halves of twins only */
     octet_bits steps;
     octet_bits gone; /* out of the radius that a step allows, once */
     octet_bits open; /* not all is known */
 };
 
+/* On their way: of those that are open. */
+struct flying {
+    quad growth2[2];
+    quad size2, half2[2];
+    quad_bits steps, gone, open;
+};
+
 /* All is known of what is far away, of what the last step has not left, and of
  * what has left and went on for long enough. Returns whether that leaves any
  * after that many steps. */
-INLINED bool flights_judge(const struct julia_fractal *f, struct flights *fl,
-                           const struct numbers *n, int steps)
+INLINED bool flying_judge(const struct julia_fractal *f, struct flying *fl,
+                          const struct numbers *n, int steps)
 {
     const int last = f->iterations - 1;
     const double limit = f->limits[steps];
-    octet_bits ends = n->size2 > fate_far;
+    quad_bits ends = n->size2 > fate_far;
     fl->gone |= fl->open & (n->size2 > limit * limit);
     if (steps >= last)
         ends |= ~fl->gone;
     fl->open &= ~ends;
-    return steps < last + JULIA_MORE && octet_any(fl->open);
+    return steps < last + JULIA_MORE && quad_any(fl->open);
+}
+
+INLINED void flights_store(const struct flying *now, int from,
+                           enum julia_kind kind, struct flights *fl)
+{
+    quad_into(&fl->size2, from, now->size2);
+    for (int k = 0; k < 2 && (k == 0 || kind == JULIA_TWINS); k++) {
+        quad_into(&fl->growth2[k], from, now->growth2[k]);
+        if (kind == JULIA_TWINS)
+            quad_into(&fl->half2[k], from, now->half2[k]);
+    }
+    quad_bits_into(&fl->steps, from, now->steps);
+    quad_bits_into(&fl->gone, from, now->gone);
+}
+
+/* Those of four that are open. */
+INLINED void flights_part(const struct julia_fractal *f,
+                          const struct julia_points *p, int from,
+                          enum julia_kind kind, struct flights *fl)
+{
+    const int halves = kind == JULIA_TWINS ? 2 : 1;
+    const quad one = { 1, 1, 1, 1 };
+    struct flying now = { .growth2 = { one, one } };
+    struct numbers n;
+    now.open = quad_bits_of(&fl->open, from);
+    if (!quad_any(now.open))
+        return;
+    numbers_start(f, p, from, kind, &n);
+    for (int i = 0;; i++) {
+        numbers_measure(&n, kind);
+        const quad_bits open = now.open;
+        now.size2 = quad_choose(open, n.size2, now.size2);
+        for (int k = 0; k < halves && kind == JULIA_TWINS; k++)
+            now.half2[k] = quad_choose(open, n.half2[k], now.half2[k]);
+        if (!flying_judge(f, &now, &n, i))
+            break;
+        now.steps -= now.open;
+        for (int k = 0; k < halves; k++)
+            now.growth2[k] *=
+                quad_choose(now.open, numbers_growth(&n, kind, k), one);
+        numbers_step(f, &n, kind);
+    }
+    flights_store(&now, from, kind, fl);
 }
 
 INLINED void flights_follow(const struct julia_fractal *f,
                             const struct julia_points *p, enum julia_kind kind,
                             struct flights *fl)
 {
-    const octet_bits none = { 0 };
-    octet growth2[2] = { p->x * 0 + 1, p->x * 0 + 1 };
-    const int halves = kind == JULIA_TWINS ? 2 : 1;
-    struct flights now = *fl; /* at hand */
-    struct numbers n;
-    numbers_start(f, p, kind, &n);
-    for (int i = 0;; i++) {
-        numbers_measure(&n, kind);
-        const octet_bits open = now.open;
-        now.size2 = octet_choose(open, n.size2, now.size2);
-        now.steps = (open & (none + i)) | (~open & now.steps);
-        for (int k = 0; k < halves; k++) {
-            now.half2[k] = octet_choose(open, n.half2[k], now.half2[k]);
-            now.growth2[k] = octet_choose(open, growth2[k], now.growth2[k]);
-        }
-        if (!flights_judge(f, &now, &n, i))
-            break;
-        for (int k = 0; k < halves; k++)
-            growth2[k] *= numbers_growth(&n, kind, k);
-        numbers_step(f, &n, kind);
-    }
-    *fl = now;
+    for (int from = 0; from < OCTET; from += QUAD)
+        flights_part(f, p, from, kind, fl);
 }
 
 /* The number of steps that are left when they are far, and their size then,
- * squared. */
+ * squared: of those where `open` is set. */
+struct leaving {
+    const octet_bits *open;
+    octet size2;
+    octet_bits left;
+};
+
 INLINED void numbers_leave(const struct julia_fractal *f,
-                           const struct julia_points *p, enum julia_kind kind,
-                           const octet_bits *open, octet *size2,
-                           octet_bits *left)
+                           const struct julia_points *p, int from,
+                           enum julia_kind kind, struct leaving *leaving)
 {
-    const octet_bits none = { 0 };
-    octet_bits near = *open;
+    quad_bits near = quad_bits_of(leaving->open, from), left = { 0 };
+    quad size2 = { 0 };
     struct numbers n;
-    numbers_start(f, p, kind, &n);
+    if (!quad_any(near))
+        return;
+    numbers_start(f, p, from, kind, &n);
+    left = left + f->iterations;
     for (int i = 1;; i++) {
         numbers_measure(&n, kind);
-        *size2 = octet_choose(near, n.size2, *size2);
-        *left = (near & (none + (f->iterations - i))) | (~near & *left);
+        size2 = quad_choose(near, n.size2, size2);
+        left += near;
         near &= n.size2 < beyond_far;
-        if (i >= f->iterations || !octet_any(near))
-            return;
+        if (i >= f->iterations || !quad_any(near))
+            break;
         numbers_step(f, &n, kind);
     }
+    quad_into(&leaving->size2, from, size2);
+    quad_bits_into(&leaving->left, from, left);
 }
 
 /* Of each kind what is worked out eight at a time. */
@@ -163,7 +206,7 @@ struct kind {
     void (*flights)(const struct julia_fractal *f, const struct julia_points *p,
                     struct flights *fl);
     void (*leave)(const struct julia_fractal *f, const struct julia_points *p,
-                  const octet_bits *open, octet *size2, octet_bits *left);
+                  struct leaving *leaving);
 };
 
 #define KIND(name, kind)                                                       \
@@ -173,11 +216,12 @@ struct kind {
     {                                                                          \
         flights_follow(f, p, kind, fl);                                        \
     }                                                                          \
-    CLONES static void name##_leave(                                           \
-        const struct julia_fractal *f, const struct julia_points *p,           \
-        const octet_bits *open, octet *size2, octet_bits *left)                \
+    CLONES static void name##_leave(const struct julia_fractal *f,             \
+                                    const struct julia_points *p,              \
+                                    struct leaving *leaving)                   \
     {                                                                          \
-        numbers_leave(f, p, kind, open, size2, left);                          \
+        for (int from = 0; from < OCTET; from += QUAD)                         \
+            numbers_leave(f, p, from, kind, leaving);                          \
     }
 
 KIND(squares, JULIA_SQUARES)
@@ -298,12 +342,11 @@ void julia_fates_beyond(const struct julia_fractal *fractal,
                         const struct julia_points *points,
                         const octet_bits *open, octet *beyond)
 {
-    octet size2 = { 0 };
-    octet_bits left = { 0 };
+    struct leaving leaving = { .open = open };
     struct julia_fates fates;
     if (fractal->polynomial) {
-        kind_of(fractal)->leave(fractal, points, open, &size2, &left);
-        beyond_finish(fractal, &size2, &left, beyond);
+        kind_of(fractal)->leave(fractal, points, &leaving);
+        beyond_finish(fractal, &leaving.size2, &leaving.left, beyond);
         return;
     }
     julia_fates_find(fractal, points, open, &fates);
