@@ -52,8 +52,8 @@ struct lighting_options {
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene, */
     enum kept_use kept_use;           /* and this */
-    bool root; /* that is the root of the picture's animation: its plan counts,
-                * too, where something moves in a chamber */
+    bool root; /* the picture is one of an animation, and that is its root's:
+                * where something moves its plan counts, too */
 };
 
 struct facets;

@@ -138,7 +138,8 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
     mesh->survey = mesh_survey(mesh, scene, options,
                                mesh->rooted ? &mesh->root.bright : NULL);
-    mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey, 0);
+    mesh->stamp.frame =
+        plan_frame(scene, outlook, &mesh->survey, options->root, 0);
 }
 
 static void *mesh_start(const struct world *world, const struct scene *scene,

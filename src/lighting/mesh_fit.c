@@ -96,7 +96,7 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
            !mesh_fit_stopped(options)) {
         mesh->levels = (struct plan_levels){ 0, 0 };
         mesh->stamp.frame =
-            plan_frame(scene, outlook, &mesh->survey, ++coarser);
+            plan_frame(scene, outlook, &mesh->survey, options->root, ++coarser);
         mesh_make(mesh, scene, interpolation);
         mesh_afford(mesh, scene, interpolation, options);
     }

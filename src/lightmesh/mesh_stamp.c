@@ -193,6 +193,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
         f->centre.z,       f->size,        f->gather,         f->samples,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
         f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
+        f->edged,
     };
     double *to = numbers + FRAME_OWN_NUMBERS;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
@@ -222,6 +223,7 @@ void mesh_frame_take(struct mesh_frame *frame,
         .gather = n[10],
         .samples = (int)fmin(fmax(n[11], 0), 1e6),
         .asked = (int)fmin(fmax(n[12], 0), 1e6),
+        .edged = (int)fmin(fmax(n[20], 0), 1e6),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
         .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),

@@ -25,6 +25,8 @@ struct mesh_frame {
     double gather; /* spacing */
     int samples;   /* gather rays of a point; 0: it does nothing here */
     int asked;     /* the same, had there been time enough */
+    int edged;     /* up to so many ways are looked at more closely where two
+                    * differ (way_cells.h) */
     bool closed;   /* the skeleton ends the bounces, */
     struct indirect_share around; /* or this does */
     struct bright bright;         /* where some of the rays go */
@@ -32,7 +34,7 @@ struct mesh_frame {
 
 /* All of it as numbers, for files and hashes. */
 enum {
-    FRAME_OWN_NUMBERS = 20,
+    FRAME_OWN_NUMBERS = 21,
     FRAME_DISC_NUMBERS = 7,
     MESH_FRAME_NUMBERS = FRAME_OWN_NUMBERS + FRAME_DISC_NUMBERS * BRIGHT_MOST
 };

@@ -49,9 +49,10 @@ static int rays_within(double rays)
 /* As many gather rays of a point as make noise that is hardly seen, for what
  * they bring differs less where lamps give most of the light; none where that
  * changes nothing. Where a chamber would want many, few find out where to look
- * more closely (way_cells.h). */
+ * more closely (way_cells.h). What moves there changes the light of all walls:
+ * in an animation noise that isn't seen in one picture is. */
 static int frame_samples(const struct light_mesh_settings *said,
-                         const struct survey *survey)
+                         const struct survey *survey, bool animated)
 {
     double finer = plan_finer(said);
     double wanted = pow(survey->rough / gather_noise, gather_net);
@@ -66,6 +67,8 @@ static int frame_samples(const struct light_mesh_settings *said,
         wanted = BRIGHT_PART * CHAMBER_WAYS;
     else if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_MOST)
         wanted = CHAMBER_WAYS;
+    if (closed && animated)
+        wanted *= CHAMBER_ANIMATED;
     return rays_within(sqrt(2) * wanted * finer * finer); /* the nearest */
 }
 
@@ -74,17 +77,17 @@ static double frame_edge(const struct mesh_frame *frame, double finer)
 {
     bool bright = frame->bright.count > 0;
     uint32_t ways = gatherer_everywhere((uint32_t)frame->samples, bright);
-    return frame->closed && ways <= CHAMBER_WAYS * finer * finer ? gather_edge
-                                                                 : 0;
+    return ways <= frame->edged * finer * finer ? gather_edge : 0;
 }
 
 struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
-                             const struct survey *survey, int coarser)
+                             const struct survey *survey, bool animated,
+                             int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     bool closed = survey->open < open_enough;
-    int samples = frame_samples(said, survey);
+    int samples = frame_samples(said, survey, animated);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
                    outlook->size / spacing_cells_least);
@@ -102,6 +105,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
                   pow(spacing_coarser, coarser),
         .samples = samples,
         .asked = samples,
+        .edged = closed ? CHAMBER_WAYS * (animated ? CHAMBER_ANIMATED : 1) : 0,
         .closed = closed,
         .around = survey->around,
         .bright = survey->bright,

@@ -34,11 +34,12 @@ struct plan {
     struct indirect_options indirect; /* no bounces: there is none */
 };
 
-/* Where mesh points are; `coarser`: steps to fewer points, which
- * had no room. */
+/* Where mesh points are. `animated`: the picture is one of an animation's;
+ * `coarser`: steps to fewer points, which had no room. */
 struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
-                             const struct survey *survey, int coarser);
+                             const struct survey *survey, bool animated,
+                             int coarser);
 
 /* At which levels a picture asks the points of another's frame (`finest` of
  * struct lattice_view). */

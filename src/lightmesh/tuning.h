@@ -192,7 +192,9 @@ enum {
     CHAMBER_MOST = 256, /* and at most: who wants more sends, */
     CHAMBER_WAYS = 128, /* everywhere alike, so many, and others where they
                          * differ [blocks, cornell, flicker] */
-    GATHER_MOST = 512,  /* more gain little [maze, pillars] */
+    CHAMBER_ANIMATED = 2, /* times as many for the pictures of an animation
+                           * [flicker] */
+    GATHER_MOST = 512,    /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */
     LONE_PART = 8,        /* of later bounces one in so many */

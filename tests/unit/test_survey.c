@@ -121,7 +121,8 @@ static void test_nets(void **state)
     (void)state;
     for (int i = 1; i < 40; i++) {
         survey.rough = i * 0.02;
-        struct mesh_frame frame = plan_frame(all->scene, &outlook, &survey, 0);
+        struct mesh_frame frame =
+            plan_frame(all->scene, &outlook, &survey, false, 0);
         assert_true((frame.samples & (frame.samples - 1)) == 0);
         plan_afford(&frame, all->scene, &survey, 100.0 * i, 100000);
         assert_true(frame.samples >= 16);
