@@ -321,7 +321,7 @@ CLONES static void lanes_density(const struct aim_lanes *lanes, int count,
         double outside = height * (height - 2 * along * facing) +
                          lanes->beside[i] * facing * facing;
         double each = lanes->rays[i] / (facing * facing * facing);
-        density[i] = (facing > 0) & (outside <= 0) ? each : 0;
+        density[i] = ((facing > 0) & (outside <= 0)) ? each : 0;
     }
 }
 
