@@ -140,12 +140,14 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
         return;
     struct lighting_kept kept = tracer->lighting->keep(tracer->lighting_state);
     lighting_forget(&work->last);
-    if (work->kept.bytes && work->kept.family != kept.family) {
+    if (!work->kept.bytes || work->kept.family == kept.family) {
+        lighting_forget(&work->kept);
+        work->kept = kept;
+    } else if (work->options.light.light_mesh.save_file) {
         work->last = kept;
-        return;
+    } else {
+        lighting_forget(&kept);
     }
-    lighting_forget(&work->kept);
-    work->kept = kept;
 }
 
 /* What the frame's scene is told. */

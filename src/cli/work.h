@@ -24,7 +24,7 @@ struct work {
     const struct lighting *lighting; /* of this frame's scene */
     struct probe_file points;        /* of --probe */
     struct lighting_kept kept;       /* by the root of all frames, and them */
-    struct lighting_kept last;       /* by the last frame, if it has its own */
+    struct lighting_kept last;       /* for --mesh-save, if that is not it */
     bool root_tried;                 /* to begin that one's lighting */
     size_t first_file;               /* of options.parse.asked, for the scene */
     struct targets targets;          /* of --depend: pictures, kept or drawn */

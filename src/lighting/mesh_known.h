@@ -26,8 +26,8 @@ bool mesh_known_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                      const struct lighting_options *options, const char *file,
                      struct diag *diag);
 
-/* Into *root how the root of an animation has its mesh points, if that is in a
- * chamber and of the same settings but of another scene: something moves. */
+/* Into *root how the root of an animation has its mesh points, if that is of
+ * the same settings but of another scene: something moves. */
 bool mesh_known_root(const struct mesh_stamp *wanted,
                      const struct lighting_options *options,
                      struct mesh_frame *root);

@@ -6,20 +6,17 @@
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
-/* What glows of itself at the first surface along the ray. */
+/* What glows of itself at the first surface along the ray, if that is the
+ * leaf's. */
 static rgb glow_met(const struct gather *gather, struct worker *worker,
                     const struct ray *ray, const struct leaf *leaf,
                     struct intersection *at)
 {
     struct surface surface;
-    at->leaf = NULL;
     worker->counters.shadow_rays++;
     if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, at)) {
-        at->leaf = NULL;
-        return rgb_grey(0);
-    }
-    if (at->leaf != leaf)
+                       RAY_REFLECTION, at) ||
+        at->leaf != leaf)
         return rgb_grey(0);
     gather_surface(gather, ray, at, &surface);
     return surface_glow(&surface);
@@ -49,7 +46,7 @@ bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
     found->light = glow_met(gather, worker, &ray, pick.leaf, &at);
     found->direction = pick.direction;
     found->density = pick.density;
-    if (at.leaf != pick.leaf || rgb_peak(found->light) == 0)
+    if (rgb_peak(found->light) == 0)
         return false;
     return isinf(pick.distance) ||
            fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);

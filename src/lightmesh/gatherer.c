@@ -315,11 +315,12 @@ void gatherer_fill(const void *context, struct worker *worker,
                    const struct mesh_site *site, void *payload)
 {
     const struct indirect_mesh *mesh = context;
-    struct gatherer gatherer = { .mesh = mesh,
-                                 .worker = worker,
-                                 .site = site,
-                                 .wall_share = WALL_PART,
-                                 .count = (uint32_t)mesh->samples };
+    struct gatherer gatherer; /* of `aim` no more is set than is read */
+    gatherer.mesh = mesh;
+    gatherer.worker = worker;
+    gatherer.site = site;
+    gatherer.wall_share = WALL_PART;
+    gatherer.count = (uint32_t)mesh->samples;
     uint32_t lone = lone_samples(mesh, site);
     if (site->lone && lone < gatherer.count)
         gatherer.count = lone;

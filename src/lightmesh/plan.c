@@ -50,9 +50,10 @@ static int rays_within(double rays)
  * they bring differs less where lamps give most of the light; none where that
  * changes nothing. Where a chamber would want many, few find out where to look
  * more closely (way_cells.h). What moves there changes the light of all walls:
- * in an animation noise that isn't seen in one picture is. */
+ * in an animation noise that isn't seen in one picture is, and so many `times`
+ * more are sent. */
 static int frame_samples(const struct light_mesh_settings *said,
-                         const struct survey *survey, bool animated)
+                         const struct survey *survey, int times)
 {
     double finer = plan_finer(said);
     double wanted = pow(survey->rough / gather_noise, gather_net);
@@ -67,9 +68,8 @@ static int frame_samples(const struct light_mesh_settings *said,
         wanted = BRIGHT_PART * CHAMBER_WAYS;
     else if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_MOST)
         wanted = CHAMBER_WAYS;
-    if (closed && animated)
-        wanted *= CHAMBER_ANIMATED;
-    return rays_within(sqrt(2) * wanted * finer * finer); /* the nearest */
+    return rays_within(sqrt(2) * times * wanted * finer *
+                       finer); /* the nearest */
 }
 
 /* What two ways of a point may differ by: see way_cells.h. */
@@ -87,7 +87,8 @@ struct mesh_frame plan_frame(const struct scene *scene,
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     bool closed = survey->open < open_enough;
-    int samples = frame_samples(said, survey, animated);
+    int times = closed && animated ? CHAMBER_ANIMATED : 1;
+    int samples = frame_samples(said, survey, times);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
                    outlook->size / spacing_cells_least);
@@ -105,7 +106,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
                   pow(spacing_coarser, coarser),
         .samples = samples,
         .asked = samples,
-        .edged = closed ? CHAMBER_WAYS * (animated ? CHAMBER_ANIMATED : 1) : 0,
+        .edged = closed ? times * CHAMBER_WAYS : 0,
         .closed = closed,
         .around = survey->around,
         .bright = survey->bright,

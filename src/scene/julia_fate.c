@@ -122,10 +122,11 @@ INLINED void flights_store(const struct flying *now, int from,
                            enum julia_kind kind, struct flights *fl)
 {
     quad_into(&fl->size2, from, now->size2);
-    for (int k = 0; k < 2 && (k == 0 || kind == JULIA_TWINS); k++) {
-        quad_into(&fl->growth2[k], from, now->growth2[k]);
-        if (kind == JULIA_TWINS)
-            quad_into(&fl->half2[k], from, now->half2[k]);
+    quad_into(&fl->growth2[0], from, now->growth2[0]);
+    if (kind == JULIA_TWINS) {
+        quad_into(&fl->growth2[1], from, now->growth2[1]);
+        quad_into(&fl->half2[0], from, now->half2[0]);
+        quad_into(&fl->half2[1], from, now->half2[1]);
     }
     quad_bits_into(&fl->steps, from, now->steps);
     quad_bits_into(&fl->gone, from, now->gone);

@@ -40,6 +40,15 @@ static void triangle_flatten(const struct mesh *mesh,
     triangle->normal[0] = MESH_NONE;
 }
 
+struct box3 mesh_triangle_box(const struct mesh *mesh, size_t triangle)
+{
+    struct box3 box = box3_empty();
+    for (int k = 0; k < 3; k++)
+        box =
+            box3_add(box, mesh->vertices[mesh->triangles[triangle].vertex[k]]);
+    return box;
+}
+
 static struct box3 mesh_find_bounds(const struct mesh *mesh)
 {
     struct box3 box = box3_empty();

@@ -40,6 +40,9 @@ struct mesh {
     struct mesh_probes *probes; /* scene/object_probe.h; NULL: few triangles */
 };
 
+/* Around the corners of a triangle. */
+struct box3 mesh_triangle_box(const struct mesh *mesh, size_t triangle);
+
 /* Whether three points span no area (also when any is not finite). */
 bool mesh_degenerate(vec3 a, vec3 b, vec3 c);
 

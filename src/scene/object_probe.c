@@ -48,9 +48,7 @@ static const struct box_tree *mesh_tree(const struct mesh *mesh,
         box_margin * vec3_length(vec3_sub(mesh->bounds.high, mesh->bounds.low));
     const vec3 more = vec3_make(margin, margin, margin);
     for (size_t i = 0; i < mesh->triangle_count; i++) {
-        struct box3 box = box3_empty();
-        for (int k = 0; k < 3; k++)
-            box = box3_add(box, mesh->vertices[mesh->triangles[i].vertex[k]]);
+        struct box3 box = mesh_triangle_box(mesh, i);
         boxes[i] =
             (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
     }

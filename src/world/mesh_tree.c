@@ -26,14 +26,6 @@ static vec3 corner(const struct mesh *mesh, uint32_t triangle, int k)
     return mesh->vertices[mesh->triangles[triangle].vertex[k]];
 }
 
-static struct box3 triangle_box(const struct mesh *mesh, uint32_t triangle)
-{
-    struct box3 box = box3_empty();
-    for (int k = 0; k < 3; k++)
-        box = box3_add(box, corner(mesh, triangle, k));
-    return box;
-}
-
 /* Three times the centroid along an axis. */
 static double triangle_key(const struct mesh *mesh, uint32_t triangle, int axis)
 {
@@ -85,7 +77,7 @@ static void build(struct mesh_tree *tree, uint32_t first, uint32_t count)
     struct tree_node *node = &tree->nodes[tree->node_count++];
     struct box3 box = box3_empty(), centres = box3_empty();
     for (uint32_t i = first; i < first + count; i++) {
-        struct box3 one = triangle_box(tree->mesh, tree->order[i]);
+        struct box3 one = mesh_triangle_box(tree->mesh, tree->order[i]);
         box = box3_union(box, one);
         centres = box3_add(centres, vec3_add(one.low, one.high));
     }
