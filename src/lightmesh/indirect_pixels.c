@@ -50,11 +50,21 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
     memory_free(pixels);
 }
 
+/* Who asks. */
+struct asking {
+    const struct indirect_pixels *pixels;
+    struct worker *worker;
+    const struct receiver *receiver;
+    int level;    /* of corners, */
+    double blend; /* and how much of those twice as far apart is blended in */
+};
+
 /* The corners around a place that serve it, with their weights. */
 struct corners {
     struct grid_cell name;
     struct corner_cell *cell, own; /* own: where the worker keeps none; NULL:
                                     * there is none */
+    enum corner_hold hold;
     int count;
     bool missing; /* another is on another surface */
     double sum;
@@ -66,25 +76,39 @@ struct corners {
     } at[GRID_CORNERS];
 };
 
-/* Names the cell around a place on a level. */
-static void corners_begin(struct corners *corners,
-                          const struct indirect_pixels *pixels,
-                          const struct worker *worker,
-                          const struct receiver *receiver, int level)
+/* Bumps take what comes from their own sides. */
+static bool receiver_is_bumpy(const struct receiver *receiver)
 {
+    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+}
+
+/* Finds the cell around a place on a level. Most pixels are on one plane with
+ * all corners of their cell, which then says at once by how much they differ.
+ */
+static void corners_begin(struct corners *corners, const struct asking *ask,
+                          int level)
+{
+    const struct indirect_pixels *pixels = ask->pixels;
     struct grid_cell *name = &corners->name;
     corners->cell = NULL;
-    if (surface_grid_cell(&pixels->grid, receiver, level, name))
-        corners->cell = corner_store_cell(pixels->store, worker, name,
-                                          point_mesh_worth(receiver->weight),
-                                          &corners->own);
+    corners->hold = CELL_BENT;
+    if (!surface_grid_cell(&pixels->grid, ask->receiver, level, name))
+        return;
+    corners->cell = corner_store_cell(pixels->store, ask->worker, name,
+                                      point_mesh_worth(ask->receiver->weight),
+                                      &corners->own);
+    if (receiver_is_bumpy(ask->receiver))
+        return;
+    corners->hold = corner_cell_holds(pixels->store, ask->worker, corners->cell,
+                                      ask->receiver);
+    if (corners->hold == CELL_HOLDS)
+        corner_cell_ask(pixels->store, ask->worker, corners->cell,
+                        ask->receiver);
 }
 
 /* What they know isn't asked yet. Leaves off at the first that is on another
  * surface if only all of them are wanted. */
-static void corners_find(struct corners *corners,
-                         const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver,
+static void corners_find(struct corners *corners, const struct asking *ask,
                          bool all)
 {
     const struct grid_cell *name = &corners->name;
@@ -97,8 +121,8 @@ static void corners_find(struct corners *corners,
         if (name->weight[i] < indirect_pixels_least)
             continue;
         const struct corner *corner = corner_store_corner(
-            pixels->store, worker, corners->cell, i, receiver);
-        if (!corner_serves(corner, receiver)) {
+            ask->pixels->store, ask->worker, corners->cell, i, ask->receiver);
+        if (!corner_serves(corner, ask->receiver)) {
             corners->missing = true;
             continue;
         }
@@ -109,50 +133,46 @@ static void corners_find(struct corners *corners,
     }
 }
 
-static void corners_ask(struct corners *corners,
-                        const struct indirect_pixels *pixels,
-                        struct worker *worker, const struct receiver *receiver)
+static void corners_ask(struct corners *corners, const struct asking *ask)
 {
     for (int i = 0; i < corners->count; i++)
         corners->at[i].light =
-            corner_store_light(pixels->store, worker, corners->cell,
-                               corners->at[i].number, receiver);
+            corner_store_light(ask->pixels->store, ask->worker, corners->cell,
+                               corners->at[i].number, ask->receiver);
 }
 
-/* Where they differ much something may stand between, or on a corner. Cells
- * remember by how much all of theirs do. */
-static bool corners_alike(const struct corners *corners,
-                          const struct indirect_pixels *pixels,
-                          struct worker *worker,
-                          const struct receiver *receiver, double even)
+/* By how much; cells remember it for all of theirs. */
+static double corners_differ(const struct corners *corners,
+                             const struct asking *ask)
 {
     const struct indirect_share *shares[GRID_CORNERS];
     if (corners->count == GRID_CORNERS) {
-        corner_cell_ask(pixels->store, worker, corners->cell, receiver);
-        return corners->cell->differ <= even;
+        corner_cell_ask(ask->pixels->store, ask->worker, corners->cell,
+                        ask->receiver);
+        return corners->cell->differ;
     }
     for (int i = 0; i < corners->count; i++)
         shares[i] = &corners->at[i].light->share;
-    return corners->count == 0 || shares_differ(shares, corners->count) <= even;
+    return corners->count == 0 ? 0 : shares_differ(shares, corners->count);
 }
 
-/* Leaves out what can't be seen from the place, where it matters: where another
- * surface is near, a wall may stand between all corners and the place. */
-static void corners_look(struct corners *corners,
-                         const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver)
+/* Leaves out what can't be seen from the place, where it matters: where corners
+ * differ much something may stand between, or on one; where another surface is
+ * near, a wall may stand between all corners and the place. */
+static void corners_look(struct corners *corners, const struct asking *ask)
 {
     int count = corners->count;
-    bool alike =
-        corners_alike(corners, pixels, worker, receiver, indirect_pixels_even);
-    if (corners->missing ? alike && count > 2
-                         : alike || corner_store_clear(pixels->store, worker,
-                                                       corners->cell, receiver))
+    bool alike = corners_differ(corners, ask) <= indirect_pixels_even;
+    if (corners->missing
+            ? alike && count > 2
+            : alike || corner_store_clear(ask->pixels->store, ask->worker,
+                                          corners->cell, ask->receiver))
         return;
     corners->count = 0;
     corners->sum = 0;
     for (int i = 0; i < count; i++) {
-        if (!corner_sees(corners->at[i].corner, pixels->mesh, worker, receiver))
+        if (!corner_sees(corners->at[i].corner, ask->pixels->mesh, ask->worker,
+                         ask->receiver))
             continue;
         corners->sum += corners->at[i].weight;
         corners->at[corners->count++] = corners->at[i];
@@ -183,71 +203,12 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
     return indirect_light_share(&light, normal);
 }
 
-/* Bumps take what comes from their own sides. */
-static bool receiver_is_bumpy(const struct receiver *receiver)
-{
-    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
-}
-
-/* Where the grid's corners are on other surfaces: pixels of a block share, or
- * else rays of a pixel. */
-static bool lone_light(const struct indirect_pixels *pixels,
-                       struct worker *worker, const struct receiver *receiver,
-                       struct indirect_share *share)
-{
-    return pixel_blocks_light(pixels->blocks, worker, receiver, share) ||
-           lone_places_light(pixels->lone, worker, receiver, share);
-}
-
 static struct indirect_share corners_light(const struct corners *corners,
-                                           const struct receiver *receiver)
+                                           const struct asking *ask)
 {
-    return receiver_is_bumpy(receiver)
-               ? corners_bumpy(corners, receiver->normal)
+    return receiver_is_bumpy(ask->receiver)
+               ? corners_bumpy(corners, ask->receiver->normal)
                : corners_smooth(corners);
-}
-
-static void share_blend(struct indirect_share *share,
-                        const struct indirect_share *coarse, double blend)
-{
-    share->light = rgb_mix(share->light, coarse->light, blend);
-    share->open += (coarse->open - share->open) * blend;
-}
-
-/* By corners of a level, and so much by those twice as far apart. */
-static bool corners_blend(const struct indirect_pixels *pixels,
-                          struct worker *worker,
-                          const struct receiver *receiver, struct corners at[2],
-                          double blend, struct indirect_share *share)
-{
-    corners_look(&at[0], pixels, worker, receiver);
-    if (at[0].sum < indirect_pixels_enough)
-        return false;
-    *share = corners_light(&at[0], receiver);
-    if (blend <= 0 || at[1].missing)
-        return true;
-    corners_look(&at[1], pixels, worker, receiver);
-    if (at[1].sum < indirect_pixels_enough)
-        return true;
-    struct indirect_share coarse = corners_light(&at[1], receiver);
-    share_blend(share, &coarse, blend);
-    return true;
-}
-
-/* Most pixels are on one plane with all corners of their cell, which then says
- * at once by how much they differ. */
-static enum corner_hold corners_flat(const struct corners *corners,
-                                     const struct indirect_pixels *pixels,
-                                     struct worker *worker,
-                                     const struct receiver *receiver)
-{
-    if (!corners->cell || receiver_is_bumpy(receiver))
-        return CELL_BENT;
-    enum corner_hold hold =
-        corner_cell_holds(pixels->store, worker, corners->cell, receiver);
-    if (hold == CELL_HOLDS)
-        corner_cell_ask(pixels->store, worker, corners->cell, receiver);
-    return hold;
 }
 
 static struct indirect_share corners_flat_share(const struct corners *corners)
@@ -262,39 +223,100 @@ static struct indirect_share corners_flat_share(const struct corners *corners)
     return share;
 }
 
-/* By corners twice as far apart, which are enough where they say about the
- * same. */
-static bool corners_coarse(struct corners *corners,
-                           const struct indirect_pixels *pixels,
-                           struct worker *worker,
-                           const struct receiver *receiver,
-                           struct indirect_share *share)
+/* Where the grid's corners are on other surfaces: pixels of a block share, or
+ * else rays of a pixel. */
+static bool lone_light(const struct asking *ask, struct indirect_share *share)
 {
-    corners_find(corners, pixels, worker, receiver, true);
-    if (corners->missing)
+    const struct indirect_pixels *pixels = ask->pixels;
+    return pixel_blocks_light(pixels->blocks, ask->worker, ask->receiver,
+                              share) ||
+           lone_places_light(pixels->lone, ask->worker, ask->receiver, share);
+}
+
+static void share_blend(struct indirect_share *share,
+                        const struct indirect_share *coarse, double blend)
+{
+    share->light = rgb_mix(share->light, coarse->light, blend);
+    share->open += (coarse->open - share->open) * blend;
+}
+
+/* By corners of a level, and so much by those twice as far apart. */
+static bool corners_blend(struct corners at[2], const struct asking *ask,
+                          struct indirect_share *share)
+{
+    corners_look(&at[0], ask);
+    if (at[0].sum < indirect_pixels_enough)
         return false;
-    corners_ask(corners, pixels, worker, receiver);
-    if (!corners_alike(corners, pixels, worker, receiver, indirect_pixels_same))
-        return false;
-    *share = corners_light(corners, receiver);
+    *share = corners_light(&at[0], ask);
+    if (ask->blend <= 0 || at[1].missing)
+        return true;
+    corners_look(&at[1], ask);
+    if (at[1].sum < indirect_pixels_enough)
+        return true;
+    struct indirect_share coarse = corners_light(&at[1], ask);
+    share_blend(share, &coarse, ask->blend);
     return true;
 }
 
-/* Flat cells that are as even as that. */
-static bool cell_is_even(const struct corners *corners, enum corner_hold hold,
-                         double even)
+/* How far corners that differ so much are enough, up to 1: those that are
+ * nearly so count in part, or all of their cell would change at once where
+ * light moves. */
+static double evenness(double differ)
 {
-    return hold == CELL_HOLDS && corners->cell->differ <= even;
+    double beyond = differ / indirect_pixels_same - 1;
+    return fmin(fmax(1 - beyond / indirect_pixels_fade, 0), 1);
+}
+
+/* How far corners twice as far apart are enough, which say about the same
+ * there, and what they say. Those that hold aren't found by that. */
+static double coarse_light(struct corners *corners, const struct asking *ask,
+                           struct indirect_share *share)
+{
+    double enough;
+    corners->missing = true;
+    if (corners->hold == CELL_HOLDS) {
+        enough = evenness(corners->cell->differ);
+        if (enough > 0)
+            *share = corners_flat_share(corners);
+        return enough;
+    }
+    if (corners->hold == CELL_BENT)
+        corners_find(corners, ask, true);
+    if (corners->missing)
+        return 0;
+    corners_ask(corners, ask);
+    enough = evenness(corners_differ(corners, ask));
+    if (enough > 0)
+        *share = corners_light(corners, ask);
+    return enough;
+}
+
+/* On flat surfaces so much by those twice as far apart again, if they are
+ * enough: where the level changes they are what is coarse. */
+static void coarse_blend(const struct asking *ask, struct indirect_share *share)
+{
+    struct corners coarser;
+    if (ask->blend <= 0)
+        return;
+    corners_begin(&coarser, ask, ask->level + 2);
+    if (coarser.hold != CELL_HOLDS)
+        return;
+    const struct indirect_share more = corners_flat_share(&coarser);
+    share_blend(share, &more, ask->blend * evenness(coarser.cell->differ));
+}
+
+static bool cell_is_even(const struct corners *corners)
+{
+    return corners->hold == CELL_HOLDS &&
+           corners->cell->differ <= indirect_pixels_even;
 }
 
 /* Between flat cells that are even, if both are that are wanted. */
-static bool cells_light(const struct corners at[2],
-                        const enum corner_hold hold[2], double blend,
+static bool cells_light(const struct corners at[2], double blend,
                         struct indirect_share *share)
 {
-    bool mixed = blend > 0 && hold[1] != CELL_FAR;
-    if (!cell_is_even(&at[0], hold[0], indirect_pixels_even) ||
-        (mixed && !cell_is_even(&at[1], hold[1], indirect_pixels_even)))
+    bool mixed = blend > 0 && at[1].hold != CELL_FAR;
+    if (!cell_is_even(&at[0]) || (mixed && !cell_is_even(&at[1])))
         return false;
     *share = corners_flat_share(&at[0]);
     if (mixed) {
@@ -304,67 +326,39 @@ static bool cells_light(const struct corners at[2],
     return true;
 }
 
-/* By those twice as far apart, where they are enough. If not, they are there
- * for corners_blend, unless cells_light needs none. */
-static bool coarse_light(struct corners *corners, enum corner_hold hold,
-                         const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver,
-                         struct indirect_share *share)
+/* By corners of the level, or blocks, or the receiver alone. */
+static bool fine_light(struct corners at[2], const struct asking *ask,
+                       struct indirect_share *share)
 {
-    corners->missing = true;
-    if (cell_is_even(corners, hold, indirect_pixels_same)) {
-        *share = corners_flat_share(corners);
+    corners_begin(&at[0], ask, ask->level);
+    if (cells_light(at, ask->blend, share))
         return true;
+    corners_find(&at[0], ask, false);
+    if (at[0].sum < indirect_pixels_enough)
+        return lone_light(ask, share);
+    if (at[1].hold == CELL_HOLDS) {
+        corners_find(&at[1], ask, true);
+        corners_ask(&at[1], ask);
     }
-    return hold == CELL_BENT &&
-           corners_coarse(corners, pixels, worker, receiver, share);
+    corners_ask(&at[0], ask);
+    return corners_blend(at, ask, share) || lone_light(ask, share);
 }
 
-/* On flat surfaces so much by those twice as far apart again, if they are
- * enough: where the level changes they are what is coarse. */
-static void coarse_blend(const struct indirect_pixels *pixels,
-                         struct worker *worker, const struct receiver *receiver,
-                         int level, double blend, struct indirect_share *share)
-{
-    struct corners coarser;
-    if (blend <= 0)
-        return;
-    corners_begin(&coarser, pixels, worker, receiver, level + 2);
-    enum corner_hold hold = corners_flat(&coarser, pixels, worker, receiver);
-    if (!cell_is_even(&coarser, hold, indirect_pixels_same))
-        return;
-    const struct indirect_share more = corners_flat_share(&coarser);
-    share_blend(share, &more, blend);
-}
-
-/* By corners that are about `level` apart, or blocks, or the receiver alone. */
-static bool grid_light(const struct indirect_pixels *pixels,
-                       struct worker *worker, const struct receiver *receiver,
-                       int level, double blend, struct indirect_share *share)
+static bool grid_light(const struct asking *ask, struct indirect_share *share)
 {
     struct corners at[2];
-    enum corner_hold hold[2];
-    corners_begin(&at[1], pixels, worker, receiver, level + 1);
-    hold[1] = corners_flat(&at[1], pixels, worker, receiver);
-    if (coarse_light(&at[1], hold[1], pixels, worker, receiver, share)) {
-        if (hold[1] == CELL_HOLDS)
-            coarse_blend(pixels, worker, receiver, level, blend, share);
-        return true;
-    }
-    corners_begin(&at[0], pixels, worker, receiver, level);
-    hold[0] = corners_flat(&at[0], pixels, worker, receiver);
-    if (cells_light(at, hold, blend, share))
-        return true;
-    corners_find(&at[0], pixels, worker, receiver, false);
-    if (at[0].sum < indirect_pixels_enough)
-        return lone_light(pixels, worker, receiver, share);
-    if (hold[1] == CELL_HOLDS) {
-        corners_find(&at[1], pixels, worker, receiver, true);
-        corners_ask(&at[1], pixels, worker, receiver);
-    }
-    corners_ask(&at[0], pixels, worker, receiver);
-    return corners_blend(pixels, worker, receiver, at, blend, share) ||
-           lone_light(pixels, worker, receiver, share);
+    struct indirect_share coarse;
+    corners_begin(&at[1], ask, ask->level + 1);
+    double enough = coarse_light(&at[1], ask, &coarse);
+    if (enough > 0 && at[1].hold == CELL_HOLDS)
+        coarse_blend(ask, &coarse);
+    if (enough >= 1)
+        *share = coarse;
+    else if (!fine_light(at, ask, share))
+        return false;
+    else if (enough > 0)
+        share_blend(share, &coarse, enough);
+    return true;
 }
 
 bool indirect_pixels_light(const struct indirect_pixels *pixels,
@@ -372,15 +366,17 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            const struct receiver *receiver,
                            struct indirect_share *share)
 {
-    double blend;
+    struct asking ask = { .pixels = pixels,
+                          .worker = worker,
+                          .receiver = receiver };
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
     if (pixel_answers_find(pixels->answers, worker, receiver, share))
         return true;
-    int level = surface_grid_level(&pixels->grid, receiver, &blend);
-    if (!grid_light(pixels, worker, receiver, level, blend, share))
+    ask.level = surface_grid_level(&pixels->grid, receiver, &ask.blend);
+    if (!grid_light(&ask, share))
         return false;
     pixel_answers_keep(pixels->answers, worker, receiver,
-                       answer_reach * pixels->grid.step[level], share);
+                       answer_reach * pixels->grid.step[ask.level], share);
     return true;
 }

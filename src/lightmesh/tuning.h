@@ -234,6 +234,8 @@ static const double indirect_pixels_even = 0.3; /* share of their light by which
 static const double indirect_pixels_same = 0.2; /* where those do between
                                                  * which another would be, that
                                                  * one is spared */
+static const double indirect_pixels_fade = 0.5; /* of that more, by which those
+                                                 * still are in part */
 static const double indirect_pixels_dim = 0.004;  /* and irradiance, */
 static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
                                                    */
