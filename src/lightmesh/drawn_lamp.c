@@ -2,6 +2,7 @@
 #include "lightmesh/drawn_lamp.h"
 
 #include "lightmesh/tuning.h"
+#include "shade/shadow.h"
 #include "shade/surface.h"
 
 /* A lamp and the light it gives a place where it is seen. */
@@ -35,10 +36,11 @@ static size_t candidate_number(const struct lamps *lamps, size_t count,
     return number < lamps->count ? number : lamps->count - 1;
 }
 
-/* What gets to the place, of which nothing may. */
-static rgb candidate_light(const struct candidate *candidate,
-                           const struct lamps *lamps, struct worker *worker,
-                           const struct draws *draws, uint32_t slot, vec3 place)
+/* Where a shadow ray to it goes. */
+static struct lamp_target candidate_target(const struct candidate *candidate,
+                                           const struct lamps *lamps,
+                                           const struct draws *draws,
+                                           uint32_t slot, vec3 place)
 {
     struct lamp_target target = { .point = place,
                                   .view = candidate->view,
@@ -50,8 +52,18 @@ static rgb candidate_light(const struct candidate *candidate,
                   lamps_location(lamps, candidate->lamp, place, u), place,
                   &target.view);
     }
-    rgb seen = lamps_share_point(lamps, candidate->lamp, worker, &target);
-    return rgb_mul(candidate->light, seen);
+    return target;
+}
+
+/* What gets to the place, of which nothing may. */
+static rgb candidate_light(const struct candidate *candidate,
+                           const struct lamps *lamps, struct worker *worker,
+                           const struct draws *draws, uint32_t slot, vec3 place)
+{
+    const struct lamp_target target =
+        candidate_target(candidate, lamps, draws, slot, place);
+    return rgb_mul(candidate->light,
+                   lamps_share_point(lamps, candidate->lamp, worker, &target));
 }
 
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
@@ -97,4 +109,63 @@ rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
                                                slot + 1, place->point));
     }
     return sum;
+}
+
+/* What gets from a lamp to those of `lanes`, which targets stand for, if that
+ * can be told of all of them together. */
+static void targets_fall(const struct lamps *lamps, struct worker *worker,
+                         const struct lamp_target targets[RAY_LANES],
+                         const struct lamp *lamp, unsigned lanes,
+                         struct shadows *found)
+{
+    const struct interiors *const inside[RAY_LANES] = { NULL };
+    const struct shadow_around around = lamps_around(lamps, lamp, inside);
+    struct occlusions ways = { .light = lamp->number };
+    for (unsigned each = lanes; each; each &= each - 1) {
+        int i = __builtin_ctz(each);
+        const struct lamp_target *target = &targets[i];
+        rays_set(&ways.rays, i, target->point, target->view.direction);
+        ways.span.near[i] = shadow_start(target->point);
+        ways.span.far[i] = shadow_end(target->view.distance);
+    }
+    shadow_falls_many(lamps->world, worker, &ways, lanes, &around, found);
+}
+
+/* A lamp's light on all of them. */
+static void places_lamp(const struct lamps *lamps, struct worker *worker,
+                        const struct lamp *lamp, uint32_t slot,
+                        struct lit_places *places)
+{
+    struct candidate of[RAY_LANES];
+    struct lamp_target targets[RAY_LANES];
+    unsigned lit = 0;
+    for (unsigned each = places->lanes; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        if (!candidate_lights(&of[i], lamp, &places->at[i]))
+            continue;
+        targets[i] = candidate_target(&of[i], lamps, &places->draws[i], slot,
+                                      places->at[i].point);
+        lit |= 1u << i;
+    }
+    struct shadows found = { .left = lit };
+    if (lit & (lit - 1) && lamps_ways_together(lamps, lamp))
+        targets_fall(lamps, worker, targets, lamp, lit, &found);
+    for (unsigned each = lit; each; each &= each - 1) {
+        unsigned i = (unsigned)__builtin_ctz(each);
+        rgb share = found.left >> i & 1
+                        ? lamps_share_point(lamps, lamp, worker, &targets[i])
+                    : found.tinted >> i & 1 ? found.share[i]
+                                            : rgb_grey(!(found.dark >> i & 1));
+        places->light[i] =
+            rgb_add(places->light[i], rgb_mul(of[i].light, share));
+    }
+}
+
+void each_lamp_many(const struct lamps *lamps, struct worker *worker,
+                    uint32_t slot, struct lit_places *places)
+{
+    for (unsigned each = places->lanes; each; each &= each - 1)
+        places->light[__builtin_ctz(each)] = rgb_grey(0);
+    for (size_t i = 0; i < lamps->count; i++)
+        places_lamp(lamps, worker, &lamps->items[i], slot + 1, places);
 }

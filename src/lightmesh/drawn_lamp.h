@@ -25,4 +25,16 @@ rgb each_lamp_light(const struct lamps *lamps, struct worker *worker,
                     const struct draws *draws, uint32_t slot,
                     const struct lit_place *place);
 
+/* Several places, those of the bits `lanes`. */
+struct lit_places {
+    unsigned lanes;
+    struct lit_place at[RAY_LANES];
+    struct draws draws[RAY_LANES];
+    rgb light[RAY_LANES]; /* that they get */
+};
+
+/* Each lamp's light on all of them: shadow rays to one lamp go together. */
+void each_lamp_many(const struct lamps *lamps, struct worker *worker,
+                    uint32_t slot, struct lit_places *places);
+
 #endif

@@ -22,9 +22,11 @@ struct gathering {
     rgb share;    /* of what it meets next */
     double *open; /* the sum of what leaves the scene */
     int mirrors;
-    uint32_t met; /* surfaces */
-    int before;   /* surfaces that scattered what it brings */
-    bool known;   /* what it meets next has been found */
+    uint32_t met;         /* surfaces */
+    int before;           /* surfaces that scattered what it brings */
+    bool known;           /* what it meets next has been found */
+    const rgb *lamplight; /* on the first surface that it meets, on the side
+                           * that it comes to; NULL: to be found */
 };
 
 static rgb gathering_follow(struct gathering *gathering,
@@ -53,14 +55,8 @@ static void gathering_fog(struct gathering *gathering, double distance,
     gathering->share = rgb_mul(gathering->share, veil.through);
 }
 
-/* Whether a ray goes on from there, by this chance. */
-static bool gathering_goes_on(const struct gathering *gathering, double chance)
-{
-    return onward_chance(gathering->gather->onwards, gathering->draws,
-                         gathering->met) < chance;
-}
-
-/* That ray; *draws and what it brings into *found. */
+/* A ray that goes on from there, as sample *draws; what it brings will be in
+ * *found. */
 static struct gathering gathering_further(const struct gathering *gathering,
                                           const struct surface *surface,
                                           const struct draws *draws,
@@ -95,7 +91,8 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     double often = blind ? onward_often_blind : onward_often;
     double chance = fmin(often * matters, 1);
     if (gathering->before >= ONWARD_MOST ||
-        !gathering_goes_on(gathering, chance))
+        onward_chance(gather->onwards, gathering->draws, gathering->met) >=
+            chance)
         return share;
     const struct draws draws = onward_draws(gathering->draws, gathering->met);
     struct gathered_ray found;
@@ -187,8 +184,10 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .from = gathering->ray.origin,
                                        .view = gather->view,
                                        .weight = 1 };
-    rgb light = gather_lamps(gather, gathering->worker, gathering->draws,
-                             gathering->before > 0, surface, &receiver);
+    rgb light = gathering->lamplight && gathering->met == 0
+                    ? *gathering->lamplight
+                    : gather_lamps(gather, gathering->worker, gathering->draws,
+                                   gathering->before > 0, surface, &receiver);
     struct indirect_share more = gather->around;
     bool found = gathering_known(gathering, surface, &receiver, &more);
     if (!found && gather->onward)
@@ -208,6 +207,7 @@ static rgb gathering_behind(const struct gathering *gathering,
     struct gathering from = *gathering;
     other.side = vec3_negate(surface->side);
     other.normal = vec3_negate(surface->normal);
+    from.lamplight = NULL;
     from.ray.origin =
         vec3_sub(vec3_scale(surface->point, 2), gathering->ray.origin);
     return gathering_share(&from, &other, matters).light;
@@ -363,35 +363,37 @@ static rgb gathering_follow(struct gathering *gathering,
     return light;
 }
 
-/* `known`: where it ends is. */
-static void gather_along(const struct gather *gather, struct worker *worker,
-                         const struct ray *ray, const struct draws *draws,
-                         bool known, struct gathered_ray *gathered)
+static void gather_along(struct gathering *gathering,
+                         struct gathered_ray *gathered)
 {
-    struct gathering gathering = { .gather = gather,
-                                   .worker = worker,
-                                   .draws = draws,
-                                   .ray = *ray,
-                                   .share = rgb_grey(1),
-                                   .open = &gathered->open,
-                                   .known = known };
+    gathering->share = rgb_grey(1);
+    gathering->open = &gathered->open;
     gathered->open = 0;
     gathered->glow = rgb_grey(0);
     gathered->light =
-        gathering_follow(&gathering, &gathered->at, &gathered->glow);
+        gathering_follow(gathering, &gathered->at, &gathered->glow);
 }
 
 void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered)
 {
+    struct gathering gathering = {
+        .gather = gather, .worker = worker, .draws = draws, .ray = *ray
+    };
     gathered->at.leaf = NULL;
-    gather_along(gather, worker, ray, draws, false, gathered);
+    gather_along(&gathering, gathered);
 }
 
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
-                struct gathered_ray *gathered)
+                const rgb *lamplight, struct gathered_ray *gathered)
 {
-    gather_along(gather, worker, ray, draws, true, gathered);
+    struct gathering gathering = { .gather = gather,
+                                   .worker = worker,
+                                   .draws = draws,
+                                   .ray = *ray,
+                                   .known = true,
+                                   .lamplight = lamplight };
+    gather_along(&gathering, gathered);
 }

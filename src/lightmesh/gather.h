@@ -36,8 +36,10 @@ struct gather {
     struct bounce_tone tone; /* of what `indirect` says */
     gather_close *close;     /* or NULL */
     const void *close_context;
-    bool onward; /* where that knows nothing further rays end it, and stand in
-                  * likewise */
+    bool together; /* most rays meet something that few lamps light: shadow rays
+                    * of several are quicker */
+    bool onward;   /* where that knows nothing further rays end it, and stand in
+                    * likewise */
     const struct onwards *onwards; /* what is drawn for these; may be NULL */
     double
         wide; /* radius of what a ray stands for, of its length; 0: a point */
@@ -81,10 +83,11 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
                      const struct ray *ray, const struct draws *draws,
                      struct gathered_ray *gathered);
 
-/* The same of a ray of which is known where it ends, in gathered->at; at.leaf
- * NULL: nowhere. */
+/* The same of a ray of which is known where it ends, in gathered->at, whose
+ * leaf is NULL where that is nowhere; and what lamps give the side of that
+ * surface that it comes to, unless `lamplight` is NULL. */
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
-                struct gathered_ray *gathered);
+                const rgb *lamplight, struct gathered_ray *gathered);
 
 #endif

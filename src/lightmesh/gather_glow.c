@@ -3,24 +3,8 @@
 
 #include "base/warp.h"
 #include "lightmesh/gather_paint.h"
+#include "lightmesh/gather_rays.h"
 #include "shade/finish.h"
-#include "shade/shadow.h"
-
-/* What glows of itself at the first surface along the ray, if that is the
- * leaf's. */
-static rgb glow_met(const struct gather *gather, struct worker *worker,
-                    const struct ray *ray, const struct leaf *leaf,
-                    struct intersection *at)
-{
-    struct surface surface;
-    worker->counters.shadow_rays++;
-    if (!world_closest(gather->lamps->world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, at) ||
-        at->leaf != leaf)
-        return rgb_grey(0);
-    gather_surface(gather, ray, at, &surface);
-    return surface_glow(&surface);
-}
 
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
                     double density, const struct gathered_ray *found)
@@ -33,23 +17,45 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
     return rgb_add_scaled(found->light, found->glow, -twice);
 }
 
-bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
-                 const struct draws *draws, struct gathered_glow *found)
+/* Whether what the ray met is what was picked, and glows there. */
+static bool pick_is_met(const struct gather *gather, const struct ray *ray,
+                        const struct emitter_pick *pick,
+                        const struct intersection *at,
+                        struct gathered_glow *found)
 {
-    double which = draw_unit(draws, GATHER_WHICH), u[2];
-    struct emitter_pick pick;
-    struct intersection at;
-    draw_pair(draws, GATHER_WHERE, u);
-    if (!emitters_pick(gather->emitters, place, which, u, &pick))
+    struct surface surface;
+    if (at->leaf != pick->leaf ||
+        !(isinf(pick->distance) ||
+          fabs(at->t - pick->distance) <= 1e-5 * (1 + at->t)))
         return false;
-    struct ray ray = { place, pick.direction };
-    found->light = glow_met(gather, worker, &ray, pick.leaf, &at);
-    found->direction = pick.direction;
-    found->density = pick.density;
-    if (rgb_peak(found->light) == 0)
-        return false;
-    return isinf(pick.distance) ||
-           fabs(at.t - pick.distance) <= 1e-5 * (1 + at.t);
+    gather_surface(gather, ray, at, &surface);
+    *found = (struct gathered_glow){ pick->direction, surface_glow(&surface),
+                                     pick->density };
+    return rgb_peak(found->light) != 0;
+}
+
+unsigned gather_pick(const struct gather *gather, struct worker *worker,
+                     vec3 place, const struct draws *draws, unsigned count,
+                     struct gathered_glow *found)
+{
+    struct emitter_pick picks[RAY_LANES];
+    struct gather_rays sent;
+    unsigned met = 0;
+    sent.count = 0;
+    for (unsigned i = 0; i < count; i++) {
+        double which = draw_unit(&draws[i], GATHER_WHICH), u[2];
+        struct emitter_pick *pick = &picks[sent.count];
+        draw_pair(&draws[i], GATHER_WHERE, u);
+        if (emitters_pick(gather->emitters, place, which, u, pick))
+            gather_rays_add(&sent, &draws[i], place, pick->direction);
+    }
+    gather_rays_meet(gather, worker, (double)INFINITY, &sent);
+    for (unsigned i = 0; i < sent.count; i++) {
+        const struct ray ray = rays_at(&sent.rays, (int)i);
+        met += pick_is_met(gather, &ray, &picks[i], &sent.found[i].at,
+                           &found[met]);
+    }
+    return met;
 }
 
 rgb gather_picked(const struct gather *gather, struct worker *worker,
@@ -57,7 +63,7 @@ rgb gather_picked(const struct gather *gather, struct worker *worker,
 {
     struct gathered_glow found;
     if (!emitters_any(gather->emitters) ||
-        !gather_pick(gather, worker, surface->point, draws, &found))
+        !gather_pick(gather, worker, surface->point, draws, 1, &found))
         return rgb_grey(0);
     double density = vec3_dot(found.direction, surface->side) / WARP_PI;
     if (!(density > 0))

@@ -11,16 +11,19 @@
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
                     double density, const struct gathered_ray *found);
 
-/* A place that glows, picked as sample `draws`, as seen from a place. False:
- * none, or something is before it. There must be some (emitters_any). */
+/* A place that glows. */
 struct gathered_glow {
     vec3 direction;
     rgb light;
     double density; /* of being picked, per solid angle */
 };
 
-bool gather_pick(const struct gather *gather, struct worker *worker, vec3 place,
-                 const struct draws *draws, struct gathered_glow *found);
+/* Such places as seen from one, picked as `count` samples, up to RAY_LANES, of
+ * which there must be any (emitters_any). Returns how many there are into
+ * *found: before others stands something. */
+unsigned gather_pick(const struct gather *gather, struct worker *worker,
+                     vec3 place, const struct draws *draws, unsigned count,
+                     struct gathered_glow *found);
 
 /* What is picked of what glows, as irradiance of the surface. */
 rgb gather_picked(const struct gather *gather, struct worker *worker,

@@ -1,7 +1,6 @@
 /* See gather_lamps.h. */
 #include "lightmesh/gather_lamps.h"
 
-#include "lightmesh/drawn_lamp.h"
 #include "lightmesh/tuning.h"
 
 vec3 gather_jitter(const struct draws *draws)
@@ -28,4 +27,10 @@ rgb gather_lamps(const struct gather *gather, struct worker *worker,
     if (lamps->count <= GATHER_EACH && !again)
         return each_lamp_light(lamps, worker, draws, GATHER_LAMP, &place);
     return drawn_lamp_light(lamps, worker, draws, GATHER_LAMP, &place);
+}
+
+void gather_lamps_many(const struct gather *gather, struct worker *worker,
+                       struct lit_places *places)
+{
+    each_lamp_many(gather->lamps, worker, GATHER_LAMP, places);
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather.h"
 
 /* A place within a cell of the mesh, around its middle. */
@@ -16,5 +17,9 @@ rgb gather_lamps(const struct gather *gather, struct worker *worker,
                  const struct draws *draws, bool again,
                  const struct surface *surface,
                  const struct receiver *receiver);
+
+/* The same, not again, on several, if gather->together. */
+void gather_lamps_many(const struct gather *gather, struct worker *worker,
+                       struct lit_places *places);
 
 #endif

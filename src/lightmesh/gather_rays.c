@@ -1,6 +1,9 @@
 /* Gather rays together: see gather_rays.h. */
 #include "lightmesh/gather_rays.h"
 
+#include "lightmesh/gather_lamps.h"
+#include "lightmesh/tuning.h"
+#include "scene/material.h"
 #include "shade/shadow.h"
 
 void gather_rays_add(struct gather_rays *sent, const struct draws *draws,
@@ -10,27 +13,66 @@ void gather_rays_add(struct gather_rays *sent, const struct draws *draws,
     sent->draws[sent->count++] = *draws;
 }
 
-void gather_rays_trace(const struct gather *gather, struct worker *worker,
-                       double reach, struct gather_rays *sent)
+/* What lamps give them, if it is more than one that they light. */
+static void gather_rays_light(const struct gather *gather,
+                              struct worker *worker, struct gather_rays *sent)
+{
+    struct lit_places *lit = &sent->lit;
+    for (unsigned i = 0; i < sent->count; i++) {
+        const struct intersection *at = &sent->found[i].at;
+        if (!at->leaf || !texture_takes_light(at->texture))
+            continue;
+        vec3 way = rays_direction(&sent->rays, (int)i);
+        lit->at[i] =
+            (struct lit_place){ at->point, vec3_against(at->normal, way),
+                                at->leaf };
+        lit->draws[i] = sent->draws[i];
+        lit->lanes |= 1u << i;
+    }
+    if (lit->lanes & (lit->lanes - 1))
+        gather_lamps_many(gather, worker, lit);
+    else
+        lit->lanes = 0;
+}
+
+void gather_rays_meet(const struct gather *gather, struct worker *worker,
+                      double reach, struct gather_rays *sent)
 {
     struct rays_span span = { { 0 }, { 0 } };
+    struct world_hit hits[RAY_LANES];
     for (unsigned i = 0; i < sent->count; i++) {
         const struct ray ray = rays_at(&sent->rays, (int)i);
         span.near[i] = surface_offset(ray.origin);
         span.far[i] = reach;
     }
+    sent->lit.lanes = 0;
     worker->counters.shadow_rays += sent->count;
     world_closest_many(gather->lamps->world, &sent->rays, &span, sent->count,
-                       RAY_REFLECTION, sent->hits);
+                       RAY_REFLECTION, hits);
+    for (unsigned i = 0; i < sent->count; i++) {
+        const struct ray ray = rays_at(&sent->rays, (int)i);
+        sent->found[i].at.leaf = NULL;
+        if (hits[i].leaf)
+            world_describe(&ray, &hits[i], &sent->found[i].at);
+    }
 }
 
-void gather_rays_follow(const struct gather *gather, struct worker *worker,
-                        const struct gather_rays *sent, unsigned i,
-                        struct gathered_ray *found)
+void gather_rays_trace(const struct gather *gather, struct worker *worker,
+                       struct gather_rays *sent)
+{
+    gather_rays_meet(gather, worker, (double)INFINITY, sent);
+    if (gather->together)
+        gather_rays_light(gather, worker, sent);
+}
+
+const struct gathered_ray *gather_rays_follow(const struct gather *gather,
+                                              struct worker *worker,
+                                              struct gather_rays *sent,
+                                              unsigned i)
 {
     const struct ray ray = rays_at(&sent->rays, (int)i);
-    found->at.leaf = NULL;
-    if (sent->hits[i].leaf)
-        world_describe(&ray, &sent->hits[i], &found->at);
-    gather_met(gather, worker, &ray, &sent->draws[i], found);
+    bool lit = sent->lit.lanes >> i & 1;
+    gather_met(gather, worker, &ray, &sent->draws[i],
+               lit ? &sent->lit.light[i] : NULL, &sent->found[i]);
+    return &sent->found[i];
 }

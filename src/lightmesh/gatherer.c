@@ -95,24 +95,23 @@ static void gathered_add(struct gathered *sum, const struct gatherer *gatherer,
 
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static struct brought gatherer_look(const struct gatherer *gatherer,
-                                    const struct waiting *waiting, unsigned i)
+                                    struct waiting *waiting, unsigned i)
 {
     const struct gather *gather = &gatherer->mesh->gather;
     const struct ray ray = rays_at(&waiting->rays.rays, (int)i);
     double density = gatherer_density(gatherer, ray.direction);
-    struct gathered_ray found;
-    gather_rays_follow(gather, gatherer->worker, &waiting->rays, i, &found);
+    const struct gathered_ray *found =
+        gather_rays_follow(gather, gatherer->worker, &waiting->rays, i);
     double picks = density * gatherer->count / gatherer->picks;
-    rgb light = gather_balanced(gather, &ray, picks, &found);
-    return (struct brought){ light, found.open, density };
+    rgb light = gather_balanced(gather, &ray, picks, found);
+    return (struct brought){ light, found->open, density };
 }
 
 static void gatherer_flush(const struct gatherer *gatherer,
                            struct waiting *waiting, struct gathered *sum)
 {
     struct gather_rays *rays = &waiting->rays;
-    gather_rays_trace(&gatherer->mesh->gather, gatherer->worker,
-                      (double)INFINITY, rays);
+    gather_rays_trace(&gatherer->mesh->gather, gatherer->worker, rays);
     for (unsigned i = 0; i < rays->count; i++) {
         struct brought brought = gatherer_look(gatherer, waiting, i);
         if (waiting->brought)
@@ -134,19 +133,6 @@ static void gatherer_send(const struct gatherer *gatherer,
     gather_rays_add(&waiting->rays, draws, gatherer->site->place, way);
     if (waiting->rays.count == RAY_LANES)
         gatherer_flush(gatherer, waiting, sum);
-}
-
-/* The same for a place on something that glows. */
-static void gatherer_pick(const struct gatherer *gatherer,
-                          const struct draws *draws,
-                          struct indirect_light *light)
-{
-    struct gathered_glow found;
-    if (gather_pick(&gatherer->mesh->gather, gatherer->worker,
-                    gatherer->site->place, draws, &found))
-        indirect_light_add(light, found.direction, found.light, 0,
-                           found.density * gatherer->picks / gatherer->count +
-                               gatherer_density(gatherer, found.direction));
 }
 
 static struct draws gatherer_draws(const struct gatherer *gatherer,
@@ -277,6 +263,28 @@ static void gatherer_aim(const struct gatherer *gatherer,
     gatherer_flush(gatherer, waiting, sum);
 }
 
+/* The same for places on what glows. */
+static void gatherer_pick(const struct gatherer *gatherer,
+                          struct indirect_light *light)
+{
+    const struct gather *gather = &gatherer->mesh->gather;
+    struct gathered_glow found[RAY_LANES];
+    struct draws draws[RAY_LANES];
+    uint32_t next = 0;
+    while (next < gatherer->picks && !worker_stopped(gatherer->worker)) {
+        unsigned count = 0;
+        while (next < gatherer->picks && count < RAY_LANES)
+            draws[count++] = gatherer_draws(gatherer, next++);
+        count = gather_pick(gather, gatherer->worker, gatherer->site->place,
+                            draws, count, found);
+        for (unsigned i = 0; i < count; i++)
+            indirect_light_add(
+                light, found[i].direction, found[i].light, 0,
+                found[i].density * gatherer->picks / gatherer->count +
+                    gatherer_density(gatherer, found[i].direction));
+    }
+}
+
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none, 0 };
@@ -289,11 +297,7 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
     gatherer_aim(gatherer, &waiting, &sum);
     (cells ? gatherer_cells : gatherer_even)(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
-        for (uint32_t i = 0;
-             i < gatherer->picks && !worker_stopped(gatherer->worker); i++) {
-            struct draws draws = gatherer_draws(gatherer, i);
-            gatherer_pick(gatherer, &draws, &sum.light);
-        }
+        gatherer_pick(gatherer, &sum.light);
     indirect_light_scale(&sum.light, 1 / (float)count);
     indirect_light_scale(&sum.wall, 1 / (float)count);
     return sum;

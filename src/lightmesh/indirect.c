@@ -22,6 +22,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .close = options->close,
         .close_context = options->close_context,
         .around = options->around,
+        .together = options->closed && direct->lamps->count <= GATHER_EACH,
         .onward = options->onward,
         .tone = options->tone,
     };

@@ -40,6 +40,7 @@ struct indirect_options {
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
+    bool closed; /* little light leaves the scene */
     bool onward; /* further rays do where that knows nothing, */
     struct indirect_share around; /* or this */
 };

@@ -90,7 +90,7 @@ static void nearby_trace(const struct nearby *nearby, int first,
         gather_rays_add(sent, &draws, receiver->point,
                         warp_turned(nearby->ways->ways[i], receiver->side));
     }
-    gather_rays_trace(gather, nearby->worker, nearby->reach, sent);
+    gather_rays_meet(gather, nearby->worker, nearby->reach, sent);
 }
 
 /* How near that is: what comes into reach does so by and by. */
@@ -102,21 +102,21 @@ double near_field_closeness(double distance, double reach)
 
 /* One of them. Returns how much of it counts as met, which is nothing of what
  * glows. */
-static double nearby_meet(struct nearby *nearby, const struct gather_rays *sent,
+static double nearby_meet(struct nearby *nearby, struct gather_rays *sent,
                           unsigned i)
 {
     vec3 way = rays_at(&sent->rays, (int)i).direction;
-    struct gathered_ray found;
     double density = vec3_dot(way, nearby->receiver->side) / WARP_PI;
     double count = nearby->ways->count;
-    if (!(density > 0) || !sent->hits[i].leaf)
+    if (!(density > 0) || !sent->found[i].at.leaf)
         return 0;
-    gather_rays_follow(&nearby->gather, nearby->worker, sent, i, &found);
-    if (rgb_peak(found.glow) > 0)
+    const struct gathered_ray *found =
+        gather_rays_follow(&nearby->gather, nearby->worker, sent, i);
+    if (rgb_peak(found->glow) > 0)
         return 0;
-    double close = near_field_closeness(found.at.t, nearby->reach);
-    rgb light = rgb_scale(found.light, close);
-    double open = close * found.open;
+    double close = near_field_closeness(found->at.t, nearby->reach);
+    rgb light = rgb_scale(found->light, close);
+    double open = close * found->open;
     indirect_light_add(&nearby->met, way, light, open, density * count);
     nearby->shares.light =
         rgb_add_scaled(nearby->shares.light, light, 1 / count);
@@ -124,7 +124,7 @@ static double nearby_meet(struct nearby *nearby, const struct gather_rays *sent,
     return close;
 }
 
-static void nearby_add(struct nearby *nearby, const struct gather_rays *sent,
+static void nearby_add(struct nearby *nearby, struct gather_rays *sent,
                        const struct indirect_light *light)
 {
     for (unsigned i = 0; i < sent->count; i++) {
@@ -143,7 +143,7 @@ static unsigned nearby_met(const struct gather_rays *sent)
 {
     unsigned met = 0;
     for (unsigned i = 0; i < sent->count; i++)
-        met += sent->hits[i].leaf != NULL;
+        met += sent->found[i].at.leaf != NULL;
     return met;
 }
 

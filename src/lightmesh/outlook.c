@@ -17,17 +17,8 @@ struct outlook_hits {
     double pixel[OUTLOOK_RAYS], distance[OUTLOOK_RAYS];
 };
 
-/* Whether light of lamps or surfaces changes it: a sky painted on a sphere, far
- * away, is no place for mesh points. */
-static bool takes_light(const struct texture *texture)
-{
-    for (size_t i = 0; i < texture->count; i++)
-        if (texture->layers[i].finish->diffuse != 0)
-            return true;
-    return false;
-}
-
-/* What the camera sees of surfaces that take light: through panes, be it the
+/* What the camera sees of surfaces that take light, which a sky painted on a
+ * sphere doesn't: it is no place for mesh points; through panes, be it the
  * wall of a lens or of a fog that it stands in. False: none. */
 static bool outlook_meets(const struct world *world, const struct ray *ray,
                           struct intersection *at)
@@ -37,7 +28,7 @@ static bool outlook_meets(const struct world *world, const struct ray *ray,
         if (!world_closest(world, ray, from, RAY_CAMERA, at))
             return false;
         if (rgb_brightness(surface_transmittance(at)) < pane_least)
-            return takes_light(at->texture);
+            return texture_takes_light(at->texture);
         from = at->t + surface_offset(at->point);
     }
     return false;

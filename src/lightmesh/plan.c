@@ -322,6 +322,7 @@ static void plan_indirect(struct plan *plan,
     };
     if (!said->indirect.dark && !close)
         plan->indirect.around = frame->around;
+    plan->indirect.closed = frame->closed;
     plan->indirect.onward = (close || !frame->closed) && !said->indirect.dark;
     plan->indirect.lattice.spacing *= frame->gather / frame->spacing;
 }

@@ -185,6 +185,14 @@ bool texture_mirrors(const struct texture *texture)
     return false;
 }
 
+bool texture_takes_light(const struct texture *texture)
+{
+    for (size_t i = 0; i < texture->count; i++)
+        if (texture->layers[i].finish->diffuse != 0)
+            return true;
+    return false;
+}
+
 static const struct texture *choice_moved(struct arena *arena,
                                           const struct texture *texture,
                                           const affine *transform)

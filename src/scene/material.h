@@ -285,6 +285,9 @@ bool texture_is_even(const struct texture *texture);
 /* Whether any layer does, that of a choice included. */
 bool texture_mirrors(const struct texture *texture);
 
+/* Whether light that comes to any layer is scattered. */
+bool texture_takes_light(const struct texture *texture);
+
 /* Whether it has a pattern or an image: else it only holds what others begin
  * with, as `#default { normal { bump_size 2 } }` does. */
 bool normal_tilts(const struct normal *perturbation);
