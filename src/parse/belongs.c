@@ -16,8 +16,10 @@ static const char *const interior_items[] = { "fade_color", "fade_distance",
 static const char *const light_items[] = { "area_light", "looks_like",
                                            "point_at",   "shadowless",
                                            "spotlight",  NULL };
-static const char *const normal_items[] = { "bump_map", "bump_size",
-                                            "normal_map", "slope_map", NULL };
+static const char *const normal_items[] = {
+    "bump_map", "bump_size", "normal_map", "slope_map", "bumps",
+    "dents",    "ripples",   "waves",      "wrinkles",  NULL
+};
 static const char *const settings_items[] = { "adc_bailout",
                                               "ambient_light",
                                               "assumed_gamma",

@@ -239,8 +239,7 @@ static size_t string_misquoted(struct parser *p)
     return name && memchr(text, '.', length) ? length : 0;
 }
 
-/* Reports and takes it, and goes on with the string that is meant. */
-static bool string_unquoted(struct parser *p, const char **out)
+bool string_unquoted(struct parser *p, const char **out)
 {
     size_t length = string_misquoted(p);
     struct span span = p->token_span;

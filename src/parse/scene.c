@@ -315,6 +315,18 @@ static bool scene_stray(struct parser *p)
         stream_next(p);
         return true;
     }
+    if (kind == TOKEN_LESS && strncmp(text, "<!--", 4) == 0) {
+        at.length = 4;
+        error_at(p, at, "/* ...", "a comment stands between '/*' and '*/'");
+        mistaken_skip_line(p, at);
+        return true;
+    }
+    if (kind == TOKEN_AND || kind == TOKEN_OR) {
+        error_at(p, at, "((a > 1) & (b > 1)) ...",
+                 "the condition of a directive stands in one pair of "
+                 "parentheses");
+        return true;
+    }
     if (kind != TOKEN_MINUS && kind != TOKEN_PLUS && kind != TOKEN_STAR)
         return false;
     error_at(p, at,
@@ -325,7 +337,8 @@ static bool scene_stray(struct parser *p)
     return true;
 }
 
-/* `Chair(1) { translate x }`: the next token, a '{', is behind a call. */
+/* `Chair(1) { translate x }`: the next token, a '{', is behind a call, and not
+ * behind the head of the macro that is being read. */
 static bool scene_behind_call(struct parser *p)
 {
     const struct cursor *cursor = p->cursor;
@@ -341,7 +354,9 @@ static bool scene_behind_call(struct parser *p)
         if (depth == 0)
             break;
     }
-    return at > 0 && tokens[at - 1].kind == TOKEN_WORD &&
+    return at > 1 && tokens[at - 1].kind == TOKEN_WORD &&
+           (tokens[at - 2].kind != TOKEN_DIRECTIVE ||
+            tokens[at - 2].word->keyword != KEYWORD_MACRO) &&
            macro_is_call(p, tokens[at - 1].word);
 }
 

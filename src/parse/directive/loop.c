@@ -74,7 +74,9 @@ static bool for_head(struct parser *p, struct open_block *block)
         return error_expected_hint(p, "'('", "#for (i, 0, 9)");
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_WORD && token->word->reserved)
-        return error_at(p, p->token_span, NULL,
+        return error_at(p, p->token_span,
+                        token->word->keyword == KEYWORD_INT ? "#for (i, 0, 9)"
+                                                            : NULL,
                         "'%s' is a reserved word; name the loop's variable "
                         "otherwise",
                         token->word->text);
