@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,13 +114,53 @@ static bool save_put_device(const char *target, const void *bytes, size_t count,
 }
 
 struct save {
+    struct save *next; /* of those whose new files are there */
     char target[PATH_MAX];
     char *name; /* of the new file */
+    pid_t owner;
     int file;
     bool special;
     char *bytes; /* not yet written */
     size_t count, capacity;
 };
+
+/* ---- new files that are not finished ---- */
+
+static pthread_mutex_t unfinished_lock = PTHREAD_MUTEX_INITIALIZER;
+static struct save *unfinished;
+
+/* At the end of a program that ran out of memory: see memory.h. */
+static void unfinished_remove(void)
+{
+    pthread_mutex_lock(&unfinished_lock);
+    for (struct save *save = unfinished; save; save = save->next)
+        if (save->owner == getpid())
+            unlink(save->name);
+    pthread_mutex_unlock(&unfinished_lock);
+}
+
+static void unfinished_add(struct save *save)
+{
+    static bool registered;
+    pthread_mutex_lock(&unfinished_lock);
+    if (!registered)
+        registered = atexit(unfinished_remove) == 0;
+    save->owner = getpid();
+    save->next = unfinished;
+    unfinished = save;
+    pthread_mutex_unlock(&unfinished_lock);
+}
+
+static void unfinished_drop(const struct save *save)
+{
+    pthread_mutex_lock(&unfinished_lock);
+    struct save **at = &unfinished;
+    while (*at && *at != save)
+        at = &(*at)->next;
+    if (*at)
+        *at = save->next;
+    pthread_mutex_unlock(&unfinished_lock);
+}
 
 static bool save_fail(char *error, size_t size)
 {
@@ -134,11 +175,15 @@ static bool save_start_new(struct save *save, char *error, size_t size)
     save->name = memory_new(length);
     snprintf(save->name, length, "%s.%ld.tmp", save->target, (long)getpid());
     save->file = save_create(save->name, save->target);
-    return save->file >= 0 || save_fail(error, size);
+    if (save->file < 0)
+        return save_fail(error, size);
+    unfinished_add(save);
+    return true;
 }
 
 static void save_free(struct save *save)
 {
+    unfinished_drop(save);
     memory_free(save->name);
     memory_free(save->bytes);
     memory_free(save);
