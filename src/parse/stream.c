@@ -167,6 +167,18 @@ void stream_ask(struct parser *p)
     p->fetched = STREAM_PATIENCE - 1;
 }
 
+/* The loop that had most rounds, of those that are open. */
+static void note_longest_loop(struct parser *p)
+{
+    const struct open_block *longest = NULL;
+    for (const struct cursor *c = p->cursor; c; c = c->below)
+        for (size_t i = 0; i < c->blocks.count; i++)
+            if (!longest || c->blocks.items[i].rounds > longest->rounds)
+                longest = &c->blocks.items[i];
+    if (longest && longest->rounds > 1)
+        note_at(p, longest->span, "this is in its round %u", longest->rounds);
+}
+
 /* Asked now and then, for it takes as long as a token: the arenas are far
  * apart.
  */
@@ -184,6 +196,7 @@ static bool stream_interrupted(struct parser *p)
     error_at(p, p->last_span, NULL,
              "the scene needs more memory than the limit of %zu MiB",
              limit >> 20);
+    note_longest_loop(p);
     stream_abort(p);
     return true;
 }
@@ -463,7 +476,7 @@ bool block_items(struct parser *p, bool (*item)(struct parser *p))
     return block_end(p, open, ok);
 }
 
-static bool block_opens(enum keyword keyword)
+bool stream_block_opens(enum keyword keyword)
 {
     return keyword == KEYWORD_IF || keyword == KEYWORD_IFDEF ||
            keyword == KEYWORD_IFNDEF || keyword == KEYWORD_WHILE ||
@@ -486,7 +499,7 @@ enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
         for (size_t i = 0; depth == 0 && stops[i]; i++)
             if (keyword == stops[i])
                 return keyword;
-        if (block_opens(keyword))
+        if (stream_block_opens(keyword))
             depth++;
         else if (keyword == KEYWORD_END && depth > 0)
             depth--;
