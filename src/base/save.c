@@ -4,7 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -114,10 +114,8 @@ static bool save_put_device(const char *target, const void *bytes, size_t count,
 }
 
 struct save {
-    struct save *next; /* of those whose new files are there */
     char target[PATH_MAX];
     char *name; /* of the new file */
-    pid_t owner;
     int file;
     bool special;
     char *bytes; /* not yet written */
@@ -126,40 +124,42 @@ struct save {
 
 /* ---- new files that are not finished ---- */
 
-static pthread_mutex_t unfinished_lock = PTHREAD_MUTEX_INITIALIZER;
-static struct save *unfinished;
+enum { UNFINISHED_MOST = 64 }; /* at once; of more nothing is known */
+
+/* Their names. Who takes one out of here has it to himself. */
+static _Atomic(char *) unfinished[UNFINISHED_MOST];
 
 /* At the end of a program that ran out of memory: see memory.h. */
 static void unfinished_remove(void)
 {
-    pthread_mutex_lock(&unfinished_lock);
-    for (struct save *save = unfinished; save; save = save->next)
-        if (save->owner == getpid())
-            unlink(save->name);
-    pthread_mutex_unlock(&unfinished_lock);
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        const char *name = atomic_exchange(&unfinished[i], NULL);
+        if (name)
+            unlink(name);
+    }
 }
 
-static void unfinished_add(struct save *save)
+static void unfinished_add(char *name)
 {
-    static bool registered;
-    pthread_mutex_lock(&unfinished_lock);
-    if (!registered)
-        registered = atexit(unfinished_remove) == 0;
-    save->owner = getpid();
-    save->next = unfinished;
-    unfinished = save;
-    pthread_mutex_unlock(&unfinished_lock);
+    static atomic_flag registered = ATOMIC_FLAG_INIT;
+    if (!atomic_flag_test_and_set(&registered))
+        atexit(unfinished_remove);
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        char *none = NULL;
+        if (atomic_compare_exchange_strong(&unfinished[i], &none, name))
+            return;
+    }
 }
 
-static void unfinished_drop(const struct save *save)
+/* Once the file is finished; false: the name may be in use. */
+static bool unfinished_drop(char *name)
 {
-    pthread_mutex_lock(&unfinished_lock);
-    struct save **at = &unfinished;
-    while (*at && *at != save)
-        at = &(*at)->next;
-    if (*at)
-        *at = save->next;
-    pthread_mutex_unlock(&unfinished_lock);
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        char *same = name;
+        if (atomic_compare_exchange_strong(&unfinished[i], &same, NULL))
+            return true;
+    }
+    return false;
 }
 
 static bool save_fail(char *error, size_t size)
@@ -177,14 +177,14 @@ static bool save_start_new(struct save *save, char *error, size_t size)
     save->file = save_create(save->name, save->target);
     if (save->file < 0)
         return save_fail(error, size);
-    unfinished_add(save);
+    unfinished_add(save->name);
     return true;
 }
 
 static void save_free(struct save *save)
 {
-    unfinished_drop(save);
-    memory_free(save->name);
+    if (save->name && (save->file < 0 || unfinished_drop(save->name)))
+        memory_free(save->name);
     memory_free(save->bytes);
     memory_free(save);
 }
