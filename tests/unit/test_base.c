@@ -1,6 +1,7 @@
 /* base/: arenas, arrays, affine maps, text distance, the parallel loop. */
 #include "harness.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
