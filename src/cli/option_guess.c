@@ -181,7 +181,9 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     const struct option *letters =
         start == 1 ? option_find_letters(name + 1) : NULL;
     const struct option *assigned =
-        start == 0 && *rest == '=' ? option_find_letters(plain) : NULL;
+        start == 0 && (*rest == '=' || setting->span.source)
+            ? option_find_letters(plain)
+            : NULL;
     if (assigned && strlen(assigned->letters) != length)
         assigned = NULL;
     /* +Wabc is no word mistyped. */

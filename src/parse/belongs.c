@@ -49,7 +49,8 @@ static const char *owner_of(const struct word *word)
     bool colours = keyword == KEYWORD_COLOUR_MAP ||
                    keyword == KEYWORD_PIGMENT_MAP ||
                    keyword == KEYWORD_IMAGE_MAP || colour_begins(keyword);
-    return colours || pattern_find(word->text) ? "pigment" : NULL;
+    bool pattern = pattern_find(word->text) && keyword != KEYWORD_OBJECT;
+    return colours || pattern ? "pigment" : NULL;
 }
 
 static bool is_texture_part(enum keyword keyword)

@@ -200,7 +200,7 @@ static const char *error_meant(struct parser *p, const struct word *word,
     struct text_nearest nearest = text_nearest_start(word->text);
     for (const struct field *f = fields; f && f->name; f++)
         text_nearest_try(&nearest, f->name);
-    if (symbol)
+    if (symbol && !word->reserved)
         text_nearest_try(&nearest, symbol);
     if (!word->reserved)
         word_table_visit(p->words, error_try_word, &nearest);

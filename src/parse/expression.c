@@ -251,6 +251,13 @@ bool string_unquoted(struct parser *p, const char **out)
     *out = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
     error_at(p, span, arena_printf(p->arena, "\"%s\"", *out),
              "a string stands in double quotes");
+    if (text[length] == '"') {
+        note_at(p, span_none(),
+                "the rest is not read: which quotes belong together is unknown "
+                "without this one");
+        stream_abort(p);
+        return true;
+    }
     do
         stream_next(p);
     while (stream_peek_infix(p)->kind != TOKEN_END &&

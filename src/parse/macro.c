@@ -206,7 +206,7 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
         if (!macro_argument(p, &values[i]))
             return false;
     }
-    if (stream_peek(p)->kind != TOKEN_RPAREN) {
+    if (stream_peek(p)->kind == TOKEN_COMMA || at_expression(p)) {
         error_at(p, p->token_span, NULL,
                  "macro '%s' wants no more than %d argument%s",
                  macro->name->text, macro->parameter_count,

@@ -1,5 +1,6 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/expression.h"
 #include "parse/macro.h"
 #include "parse/mistaken.h"
 #include "parse/rules.h"
@@ -360,9 +361,18 @@ static bool scene_behind_call(struct parser *p)
            macro_is_call(p, tokens[at - 1].word);
 }
 
+/* What was wrong when it was declared, perhaps a macro that is called. */
+static bool scene_poison(struct parser *p)
+{
+    stream_next(p);
+    return stream_peek(p)->kind == TOKEN_LPAREN && skip_brackets(p);
+}
+
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
+    if (at_poison(p))
+        return scene_poison(p);
     if (mistaken_statement(p))
         return true; /* and read on right behind it */
     if (at_word(p, "max_trace_level") || at_word(p, "max_intersections"))

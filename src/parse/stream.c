@@ -484,10 +484,33 @@ bool stream_block_opens(enum keyword keyword)
            keyword == KEYWORD_MACRO;
 }
 
+/* What is wrong in the text that was skipped from the token `begin` on, and may
+ * have taken an #end with it: a string that isn't closed. */
+static void note_unread(struct parser *p, size_t begin)
+{
+    const struct cursor *cursor = p->cursor;
+    for (size_t i = begin; i < cursor->end; i++) {
+        const struct token *token = &cursor->list->tokens[i];
+        struct span span = cursor_span(cursor, i);
+        bool lines =
+            token->kind == TOKEN_STRING && strchr(token->text, '\n') != NULL;
+        if (lines)
+            span.length = 1;
+        if (lines || token->kind == TOKEN_BAD) {
+            note_at(p, span, "%s",
+                    lines ? "this string ends lines below; its '\"' may be "
+                            "missing"
+                          : token->text);
+            return;
+        }
+    }
+}
+
 enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
                                struct span open)
 {
     struct cursor *cursor = p->cursor;
+    size_t begin = cursor->index;
     unsigned depth = 0;
     bool bare = open.source->text[open.offset] != '#'; /* reported by now */
     for (; cursor->index < cursor->end; cursor->index++) {
@@ -505,5 +528,6 @@ enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
             depth--;
     }
     error_at(p, open, NULL, "this directive has no '#end'");
+    note_unread(p, begin);
     return KEYWORD_NONE;
 }
