@@ -351,7 +351,7 @@ static bool mesh2_body(struct parser *p, struct mesh2 *m,
     return m->lists.triangles.count > 0 ||
            error_expected_hint(
                p, "'face_indices', which three corners make a triangle",
-               "face_indices { 1, <0, 1, 2> }");
+               "face_indices { 1, <0, 1, 2> } ...");
 }
 
 /* mesh2 = "mesh2" "{" {mesh2_list} {"inside_vector" vector | modifier} "}" . */

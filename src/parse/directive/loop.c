@@ -162,7 +162,7 @@ static bool for_comma(struct parser *p, const struct open_block *block)
 {
     return accept(p, TOKEN_COMMA) ||
            error_expected_hint(p, "','",
-                               arena_printf(p->arena, "#for (%s, 0, 9)",
+                               arena_printf(p->arena, "#for (%s, 0, 9) ...",
                                             block->variable->text));
 }
 
@@ -183,15 +183,15 @@ static bool for_head(struct parser *p, struct open_block *block)
 {
     struct span open = stream_span(p);
     if (!accept(p, TOKEN_LPAREN))
-        return error_expected_hint(p, "'('", "#for (i, 0, 9)");
+        return error_expected_hint(p, "'('", "#for (i, 0, 9) ...");
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_WORD && token->word->reserved)
-        return error_at(p, p->token_span,
-                        token->word->keyword == KEYWORD_INT ? "#for (i, 0, 9)"
-                                                            : NULL,
-                        "'%s' is a reserved word; name the loop's variable "
-                        "otherwise",
-                        token->word->text);
+        return error_at(
+            p, p->token_span,
+            token->word->keyword == KEYWORD_INT ? "#for (i, 0, 9) ..." : NULL,
+            "'%s' is a reserved word; name the loop's variable "
+            "otherwise",
+            token->word->text);
     if (token->kind != TOKEN_WORD)
         return error_expected(p, "the name of the loop's variable");
     block->variable = stream_next(p).word;
