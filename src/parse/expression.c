@@ -234,8 +234,9 @@ static size_t string_misquoted(struct parser *p)
         memchr(text, '.', inside))
         return inside + 2; /* <colors.inc>, as C has it */
     size_t length = strcspn(text, " \t\r\n;,(){}\"");
-    bool name = token->kind == TOKEN_WORD && !token->word->reserved &&
-                !symbol_lookup(p, token->word);
+    bool name = token->kind == TOKEN_WORD &&
+                (token->word->reserved ? !function_is(token->word->keyword)
+                                       : !symbol_lookup(p, token->word));
     return name && memchr(text, '.', length) ? length : 0;
 }
 
