@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -121,6 +122,46 @@ struct save {
     size_t count, capacity;
 };
 
+/* ---- new files that are not finished ---- */
+
+enum { UNFINISHED_MOST = 64 }; /* at once; of more nothing is known */
+
+/* Their names. Who takes one out of here has it to himself. */
+static _Atomic(char *) unfinished[UNFINISHED_MOST];
+
+/* At the end of a program that ran out of memory: see memory.h. */
+static void unfinished_remove(void)
+{
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        const char *name = atomic_exchange(&unfinished[i], NULL);
+        if (name)
+            unlink(name);
+    }
+}
+
+static void unfinished_add(char *name)
+{
+    static atomic_flag registered = ATOMIC_FLAG_INIT;
+    if (!atomic_flag_test_and_set(&registered))
+        atexit(unfinished_remove);
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        char *none = NULL;
+        if (atomic_compare_exchange_strong(&unfinished[i], &none, name))
+            return;
+    }
+}
+
+/* Once the file is finished; false: the name may be in use. */
+static bool unfinished_drop(char *name)
+{
+    for (int i = 0; i < UNFINISHED_MOST; i++) {
+        char *same = name;
+        if (atomic_compare_exchange_strong(&unfinished[i], &same, NULL))
+            return true;
+    }
+    return false;
+}
+
 static bool save_fail(char *error, size_t size)
 {
     snprintf(error, size, "%s", strerror(errno));
@@ -134,12 +175,16 @@ static bool save_start_new(struct save *save, char *error, size_t size)
     save->name = memory_new(length);
     snprintf(save->name, length, "%s.%ld.tmp", save->target, (long)getpid());
     save->file = save_create(save->name, save->target);
-    return save->file >= 0 || save_fail(error, size);
+    if (save->file < 0)
+        return save_fail(error, size);
+    unfinished_add(save->name);
+    return true;
 }
 
 static void save_free(struct save *save)
 {
-    memory_free(save->name);
+    if (save->name && (save->file < 0 || unfinished_drop(save->name)))
+        memory_free(save->name);
     memory_free(save->bytes);
     memory_free(save);
 }

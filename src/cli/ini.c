@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "base/directory.h"
 #include "base/text.h"
 
 enum { INI_NESTING_LIMIT = 8, INI_FILES_LIMIT = 1000 };
@@ -290,6 +291,11 @@ static bool ini_missing(struct option_reader *reader, const char *name,
         return option_fail(reader, &plain,
                            "there is no INI file '%s', neither here nor along "
                            "the library path",
+                           name);
+    if (path_is_directory(name))
+        return option_fail(reader, &plain,
+                           "'%s' is a directory, neither a scene nor an INI "
+                           "file",
                            name);
     const char *meant = option_meant(reader->arena, name);
     double number, height;

@@ -180,6 +180,12 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
     const char *hint = guess_spelling(arena, plain, rest, word);
     const struct option *letters =
         start == 1 ? option_find_letters(name + 1) : NULL;
+    const struct option *assigned =
+        start == 0 && (*rest == '=' || setting->span.source)
+            ? option_find_letters(plain)
+            : NULL;
+    if (assigned && strlen(assigned->letters) != length)
+        assigned = NULL;
     /* +Wabc is no word mistyped. */
     if (letters && letters->argument && length <= 4 && !*rest)
         hint = NULL;
@@ -197,6 +203,10 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
         reader->took_next = setting->next && !strpbrk(setting->next, "+-=./");
     } else if (hint && !setting->span.source) {
         hint = arena_printf(arena, "did you mean '%s'?", hint);
+    } else if (!hint && assigned) {
+        hint = setting->span.source
+                   ? assigned->key
+                   : arena_printf(arena, "type +%s%s", plain, rest + 1);
     } else if (!hint && letters && letters->argument) {
         hint = arena_printf(arena,
                             "+%s wants a number; glim --help lists the options",

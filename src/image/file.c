@@ -199,6 +199,9 @@ static bool file_decode(const char *path, struct codec_target *target,
         return false;
     *error = '\0';
     codec_decode_function *decode = file_own_decoder(path, target);
+    if (!decode && strcmp(target->type, "jpeg") == 0 &&
+        !jpeg_passes_few(path, error, size))
+        return false;
     if (!decode)
         *(void **)&decode = file_codec("codec_decode", error, size);
     return decode && decode(path, target, error, size);

@@ -144,6 +144,48 @@ bool jpeg_is_ours(const char *path)
     return !jpeg_open(&reader, path, jpeg_is_inks);
 }
 
+/* The next marker of the file, behind what is no marker; EOF: none. */
+static int jpeg_marker(FILE *file)
+{
+    for (int c = getc(file); c != EOF; c = getc(file)) {
+        if (c != 0xff)
+            continue;
+        while (c == 0xff)
+            c = getc(file);
+        if (c != 0)
+            return c;
+    }
+    return EOF;
+}
+
+/* Whether the marker has no length and nothing behind it. */
+static bool jpeg_stands_alone(int marker)
+{
+    return marker == 0x01 || (marker >= 0xd0 && marker <= 0xd9);
+}
+
+bool jpeg_passes_few(const char *path, char *error, size_t size)
+{
+    enum { BEGINS_PASS = 0xda };
+    FILE *file = fopen(path, "rb");
+    int passes = 0, marker = 0;
+    while (file && passes <= PASSES_LIMIT &&
+           (marker = jpeg_marker(file)) != EOF) {
+        passes += marker == BEGINS_PASS;
+        if (jpeg_stands_alone(marker))
+            continue;
+        int high = getc(file), low = getc(file), length = high << 8 | low;
+        if (high == EOF || low == EOF || length < 2 ||
+            fseek(file, length - 2, SEEK_CUR) != 0)
+            break;
+    }
+    if (file)
+        fclose(file);
+    if (passes > PASSES_LIMIT)
+        snprintf(error, size, "it has more than %d passes", PASSES_LIMIT);
+    return passes <= PASSES_LIMIT;
+}
+
 /* What is missing at the end of a file that is cut short is grey. */
 static bool jpeg_read(struct jpeg_reader *r)
 {

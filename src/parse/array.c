@@ -16,6 +16,8 @@ struct array {
     int dimensions;
     int size[ARRAY_DIMENSIONS];
     size_t count;
+    enum value_kind kind;   /* of all elements that have a value */
+    int vector_size;        /* the same of vectors, else 0 */
     struct value *elements; /* the last subscript runs fastest */
     struct value *touched;  /* the one last asked for, or NULL */
 };
@@ -105,7 +107,7 @@ static bool array_index(struct parser *p, int size, size_t *index)
 /* Arrays that are elements of arrays take the subscripts that are left.
  * subscripts = "[" float "]" {"[" float "]"} . */
 static bool parse_subscripts(struct parser *p, struct array *array,
-                             struct value **slot)
+                             struct value **slot, struct array **owner)
 {
     for (;;) {
         size_t place = 0;
@@ -121,6 +123,7 @@ static bool parse_subscripts(struct parser *p, struct array *array,
             place = place * (size_t)array->size[i] + index;
         }
         *slot = array->touched = &array->elements[place];
+        *owner = array;
         if ((*slot)->kind != VALUE_ARRAY ||
             stream_peek_infix(p)->kind != TOKEN_LBRACKET)
             return true;
@@ -141,13 +144,42 @@ size_t array_subscripts_end(const struct token *tokens, size_t left, size_t i)
     return i;
 }
 
-bool array_element(struct parser *p, struct array *array, struct value **slot)
+bool array_place(struct parser *p, struct array *array, struct value **slot,
+                 struct array **owner)
 {
     if (!expression_enter(p))
         return false;
-    bool ok = parse_subscripts(p, array, slot);
+    bool ok = parse_subscripts(p, array, slot, owner);
     p->nesting--;
     return ok;
+}
+
+bool array_element(struct parser *p, struct array *array, struct value **slot)
+{
+    struct array *owner;
+    return array_place(p, array, slot, &owner);
+}
+
+bool array_takes(struct parser *p, struct array *array, struct span span,
+                 const struct value *value)
+{
+    int size = value->kind == VALUE_VECTOR ? value->size : 0;
+    enum value_kind kind = size == 5 ? VALUE_COLOUR : value->kind;
+    if (size == 5)
+        size = 0;
+    if (kind == VALUE_NONE || kind == VALUE_POISON)
+        return true;
+    if (array->kind == VALUE_NONE) {
+        array->kind = kind;
+        array->vector_size = size;
+    }
+    if (array->kind == kind && array->vector_size == size)
+        return true;
+    struct value other = { .kind = array->kind, .size = array->vector_size };
+    return error_at(p, span, NULL,
+                    "all elements of an array are of one kind: expected %s, "
+                    "found %s",
+                    value_describe(&other), value_describe(value));
 }
 
 /* ---- copies ---- */
@@ -226,6 +258,14 @@ static const char *array_braces(struct parser *p, const struct array *array)
     return arena_printf(p->arena, "%s}", text);
 }
 
+static bool array_value(struct parser *p, struct array *array,
+                        struct value *value)
+{
+    struct span start = stream_span(p);
+    return parse_value(p, value) &&
+           array_takes(p, array, span_join(start, p->last_span), value);
+}
+
 /* All values must be there; a comma between two is optional.
  * array_values = "{" ( array_values {[","] array_values}
  *              | value {[","] value} ) [","] "}" . */
@@ -251,7 +291,7 @@ static bool parse_array_values(struct parser *p, struct array *array,
         else if (dimension + 1 < array->dimensions)
             ok = parse_array_values(p, array, dimension + 1, next);
         else
-            ok = parse_value(p, (*next)++);
+            ok = array_value(p, array, (*next)++);
     }
     if (ok) {
         accept(p, TOKEN_COMMA);

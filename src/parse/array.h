@@ -18,6 +18,17 @@ bool array_of_arrays(const struct array *array);
  * parse; its kind is VALUE_NONE if it was never set. */
 bool array_element(struct parser *p, struct array *array, struct value **slot);
 
+/* The same, with the array that it is an element of: one in an array as well.
+ */
+bool array_place(struct parser *p, struct array *array, struct value **slot,
+                 struct array **owner);
+
+/* Whether the array may get an element of the value's kind, the first deciding
+ * which it is; if not, says so at the span. A vector of 5 components counts as
+ * a colour. */
+bool array_takes(struct parser *p, struct array *array, struct span span,
+                 const struct value *value);
+
 /* Reads `array[3][2] { ... }`, the keyword being next. */
 bool parse_array(struct parser *p, struct value *value);
 

@@ -16,8 +16,10 @@ static const char *const interior_items[] = { "fade_color", "fade_distance",
 static const char *const light_items[] = { "area_light", "looks_like",
                                            "point_at",   "shadowless",
                                            "spotlight",  NULL };
-static const char *const normal_items[] = { "bump_map", "bump_size",
-                                            "normal_map", "slope_map", NULL };
+static const char *const normal_items[] = {
+    "bump_map", "bump_size", "normal_map", "slope_map", "bumps",
+    "dents",    "ripples",   "waves",      "wrinkles",  NULL
+};
 static const char *const settings_items[] = { "adc_bailout",
                                               "ambient_light",
                                               "assumed_gamma",
@@ -47,7 +49,8 @@ static const char *owner_of(const struct word *word)
     bool colours = keyword == KEYWORD_COLOUR_MAP ||
                    keyword == KEYWORD_PIGMENT_MAP ||
                    keyword == KEYWORD_IMAGE_MAP || colour_begins(keyword);
-    return colours || pattern_find(word->text) ? "pigment" : NULL;
+    bool pattern = pattern_find(word->text) && keyword != KEYWORD_OBJECT;
+    return colours || pattern ? "pigment" : NULL;
 }
 
 static bool is_texture_part(enum keyword keyword)

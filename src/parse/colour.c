@@ -145,11 +145,14 @@ bool parse_channels(struct parser *p, struct value *value)
     }
 }
 
-/* `color "red"`: colours are declared names, in colors.inc with a capital. */
+/* `color "red"`: colours are declared names, in colors.inc with a capital.
+ * `color "#ff0000"` is written in numbers. */
 static const char *colour_quoted(struct parser *p, const struct value *value)
 {
     enum { LONGEST = 40 };
     const char *text = value->kind == VALUE_STRING ? value->text : "";
+    if (*text == '#')
+        return mistaken_shade(p, text + 1);
     return isalpha((unsigned char)*text) && strlen(text) <= LONGEST &&
                    !text[strcspn(text, " ./")]
                ? mistaken_capital(p, text)

@@ -109,9 +109,8 @@ static bool map_entries(struct parser *p, enum value_kind kind,
     }
     struct map_builder builder = { .average = average };
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!rule(p, &builder))
+        if (!rule(p, &builder) || !entry_end(p))
             return false;
-        accept(p, TOKEN_COMMA);
     }
     *out = map_finish(p, &builder);
     return builder.count || error_at(p, stream_span(p), "[0 rgb 0] [1 rgb 1]",

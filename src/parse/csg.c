@@ -1,5 +1,6 @@
 /* union, merge, intersection, difference. */
 #include "parse/rules.h"
+#include "scene/object_probe.h"
 
 struct csg {
     const char *name;
@@ -61,6 +62,9 @@ static bool csg_items(struct parser *p, struct csg *csg, bool difference)
     struct object_more *more = object_more(p->scene_arena, object);
     more->children = csg->children.items;
     more->child_count = (unsigned)csg->children.count;
+    if (more->child_count >= CHILD_PROBES_LEAST &&
+        object->kind != OBJECT_INTERSECTION)
+        more->probes = ARENA_NEW(p->scene_arena, struct child_probes);
     struct modifiers m = { .object = object, .block = csg->name };
     return parse_modifiers(p, &m);
 }

@@ -70,14 +70,21 @@ static bool directive_unknown(struct parser *p, const struct word *word,
         return false;
     }
     enum keyword meant = mistaken_directive_word(word);
-    const char *shade = mistaken_hexadecimal(p, word);
+    const char *shade =
+        strcmp(word->text, "def") == 0 ? NULL : mistaken_shade(p, word->text);
     const char *hint =
         shade   ? shade
         : meant ? arena_printf(p->arena, "#%s", keyword_spelling(meant))
                 : NULL;
     bool returns = strcmp(word->text, "return") == 0;
+    bool begins = strcmp(word->text, "begin") == 0 ||
+                  strcmp(word->text, "then") == 0 ||
+                  strcmp(word->text, "do") == 0;
+    if (begins)
+        hint = NULL;
     error_at(p, at, hint, "there is no directive '#%s'%s", word->text,
              shade     ? "; a colour is written in numbers"
+             : begins  ? "; only an '#end' ends what belongs to another"
              : returns ? "; what a macro gives just stands in it, without a ';'"
                        : "");
     if (returns) {

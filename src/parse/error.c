@@ -127,17 +127,20 @@ const char *error_found(struct parser *p)
                         span.length > 40 ? "..." : "");
 }
 
-/* What begins a colour, or a function, in other letters: `Rgb`, `VLength`. */
+/* What begins a colour, or a function, in other letters: `Rgb`, `VLength`; and
+ * `PI`, `True`, but not `X`, which may be anything. */
 static const char *error_other_case(struct parser *p, const char *text)
 {
     size_t left;
     enum token_kind next = stream_raw(p, &left)->kind;
     bool called = next == TOKEN_LPAREN;
+    const struct word *small = mistaken_case(p, text, strlen(text));
+    if (small->length > 1 && constant_is(p, small->keyword))
+        return small->text;
     if (left == 0 || (!called && next != TOKEN_LESS && next != TOKEN_NUMBER))
         return NULL;
-    const struct word *word = mistaken_case(p, text, strlen(text));
-    bool meant = called ? word->reserved : colour_begins(word->keyword);
-    return meant ? word->text : NULL;
+    bool meant = called ? small->reserved : colour_begins(small->keyword);
+    return meant ? small->text : NULL;
 }
 
 /* The pattern whose name is nearest, where one is wanted. */
@@ -186,6 +189,12 @@ static bool error_foreign(struct parser *p, const char *word)
         stream_next(p);
         accept(p, TOKEN_SEMICOLON);
         p->blamed = p->last_span;
+        return true;
+    }
+    if (strcmp(word, "return") == 0 && p->cursor->kind == CURSOR_MACRO) {
+        error_at(p, p->token_span, NULL,
+                 "what a macro gives just stands in it, without 'return'");
+        stream_next(p);
         return true;
     }
     if (strcmp(word, "dictionary") != 0)
@@ -276,6 +285,18 @@ static const char *error_near(struct parser *p, const char *wanted,
     return pattern ? pattern : error_near_number(wanted, text);
 }
 
+/* `math.sin(1)`: functions belong to nothing. */
+static const char *error_member(struct parser *p)
+{
+    size_t left;
+    const struct token *next = stream_raw(p, &left);
+    return left > 2 && next[0].kind == TOKEN_DOT &&
+                   next[1].kind == TOKEN_WORD && next[1].word->reserved &&
+                   next[2].kind == TOKEN_LPAREN
+               ? arena_printf(p->arena, "%s( ...", next[1].word->text)
+               : NULL;
+}
+
 /* An identifier that was never declared is the likeliest mistake of all. */
 static bool error_undeclared(struct parser *p, const char *wanted,
                              const char *hint)
@@ -290,6 +311,8 @@ static bool error_undeclared(struct parser *p, const char *wanted,
         hint = standard_include(p, token->word->text);
     if (!hint)
         hint = mistaken_word(token->word, "");
+    if (!hint)
+        hint = error_member(p);
     if (!hint)
         hint = error_near(p, wanted, token->word->text);
     if (!hint && strcmp(wanted, "a condition") == 0)
@@ -385,7 +408,7 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
     p->silent = true;
     wanted = wanted_field(p, wanted, 1);
     if (error_follows(p) || at_poison(p) || error_is_silent(p) ||
-        error_undeclared(p, wanted, hint)) {
+        mistaken_number(p) || error_undeclared(p, wanted, hint)) {
         note_long_string(p);
         return false;
     }

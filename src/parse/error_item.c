@@ -142,6 +142,7 @@ static bool error_no_item(struct parser *p, const char *block)
             ? "; a ';' only ends #declare, #local and #version"
         : kind == TOKEN_EQUAL  ? "; no '=' stands between a word and its value"
         : kind == TOKEN_LBRACE ? error_no_block(p)
+        : kind == TOKEN_STRING ? "; a declared name stands without quotes"
                                : "";
     const char *hint = comma && values ? primitive_hint(p, block) : NULL;
     if (values && !hint && !side)
@@ -187,7 +188,9 @@ static const char *error_bare_object(struct parser *p, const struct word *word)
 static const char *error_meant(struct parser *p, const struct word *word,
                                const char *block, const struct field *fields)
 {
-    const char *known = NULL;
+    const char *symbol = symbol_nearest(p, word->text), *known = NULL;
+    if (symbol && text_equal_nocase(symbol, word->text))
+        return symbol;
     if (!word->reserved)
         known = standard_include(p, word->text);
     if (!word->reserved && !known)
@@ -197,8 +200,7 @@ static const char *error_meant(struct parser *p, const struct word *word,
     struct text_nearest nearest = text_nearest_start(word->text);
     for (const struct field *f = fields; f && f->name; f++)
         text_nearest_try(&nearest, f->name);
-    const char *symbol = symbol_nearest(p, word->text);
-    if (symbol)
+    if (symbol && !word->reserved)
         text_nearest_try(&nearest, symbol);
     if (!word->reserved)
         word_table_visit(p->words, error_try_word, &nearest);
@@ -266,7 +268,7 @@ bool error_unknown_item(struct parser *p, const char *block,
         return false;
     if (token->kind != TOKEN_WORD)
         return error_no_item(p, block);
-    if (error_product(p))
+    if (error_product(p) || mistaken_number(p))
         return false;
     const struct word *word = token->word;
     const char *belongs = unclosed_hint(p);

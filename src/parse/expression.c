@@ -234,13 +234,13 @@ static size_t string_misquoted(struct parser *p)
         memchr(text, '.', inside))
         return inside + 2; /* <colors.inc>, as C has it */
     size_t length = strcspn(text, " \t\r\n;,(){}\"");
-    bool name = token->kind == TOKEN_WORD && !token->word->reserved &&
-                !symbol_lookup(p, token->word);
+    bool name = token->kind == TOKEN_WORD &&
+                (token->word->reserved ? !function_is(token->word->keyword)
+                                       : !symbol_lookup(p, token->word));
     return name && memchr(text, '.', length) ? length : 0;
 }
 
-/* Reports and takes it, and goes on with the string that is meant. */
-static bool string_unquoted(struct parser *p, const char **out)
+bool string_unquoted(struct parser *p, const char **out)
 {
     size_t length = string_misquoted(p);
     struct span span = p->token_span;
@@ -252,6 +252,13 @@ static bool string_unquoted(struct parser *p, const char **out)
     *out = arena_copy_text(p->arena, text + quoted, length - 2 * quoted);
     error_at(p, span, arena_printf(p->arena, "\"%s\"", *out),
              "a string stands in double quotes");
+    if (text[length] == '"') {
+        note_at(p, span_none(),
+                "the rest is not read: which quotes belong together is unknown "
+                "without this one");
+        stream_abort(p);
+        return true;
+    }
     do
         stream_next(p);
     while (stream_peek_infix(p)->kind != TOKEN_END &&

@@ -127,6 +127,10 @@ const char *subtracted_hint(struct parser *p, struct span *minus);
  * not taken. */
 bool parse_constant(struct parser *p, enum keyword keyword,
                     struct value *value);
+/* If the next token begins a string in single quotes or in none: reports it,
+ * takes it all, and goes on with the string that is meant. */
+bool string_unquoted(struct parser *p, const char **out);
+
 bool constant_is(struct parser *p, enum keyword keyword);
 bool constant_is_number(struct parser *p, enum keyword keyword);
 

@@ -61,6 +61,11 @@ static bool parse_reflection(struct parser *p, struct finish *finish)
     if (stream_peek(p)->kind == TOKEN_LBRACE)
         return block_begin(p, &open) &&
                block_end(p, open, parse_reflection_range(p, finish));
+    enum keyword keyword = stream_keyword(p);
+    if (keyword == KEYWORD_METALLIC || keyword == KEYWORD_FRESNEL)
+        return error_expected_hint(
+            p, "a colour",
+            arena_printf(p->arena, "{ 1 %s }", stream_peek(p)->word->text));
     if (!reflection_rgb(p, &finish->reflection.maximum))
         return false;
     finish->reflection.minimum = finish->reflection.maximum;

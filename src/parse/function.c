@@ -284,6 +284,13 @@ static bool call_fold(struct parser *p, const struct function_row *row,
     return true;
 }
 
+/* Random numbers come from streams, which other languages hide. */
+static const char *call_example(const char *name)
+{
+    return strcmp(name, "rand") == 0 ? "#declare R = seed(1); ... rand(R) ..."
+                                     : NULL;
+}
+
 static bool call_arguments(struct parser *p, const char *signature,
                            struct call *call, const char *name)
 {
@@ -294,7 +301,8 @@ static bool call_arguments(struct parser *p, const char *signature,
         if (stream_peek(p)->kind == TOKEN_RPAREN && !comma) {
             if (call->count >= required)
                 break;
-            return error_at(p, span_join(call->span, p->token_span), NULL,
+            return error_at(p, span_join(call->span, p->token_span),
+                            call_example(name),
                             "%s() wants %d argument%s, found %d", name,
                             required, required == 1 ? "" : "s", call->count);
         }
@@ -303,7 +311,7 @@ static bool call_arguments(struct parser *p, const char *signature,
             return false;
     }
     if (stream_peek(p)->kind == TOKEN_COMMA)
-        return error_at(p, p->token_span, NULL,
+        return error_at(p, p->token_span, call_example(name),
                         "%s() wants no more than %d argument%s", name, most,
                         most == 1 ? "" : "s");
     return true;
@@ -323,8 +331,12 @@ bool parse_call(struct parser *p, struct value *value)
     stream_next(p);
     struct span open = stream_span(p);
     if (stream_peek(p)->kind != TOKEN_LPAREN)
-        return error_expected(
-            p, arena_printf(p->arena, "'(' after '%s'", word->text));
+        return error_expected_hint(
+            p, arena_printf(p->arena, "'(' after '%s'", word->text),
+            p->token.kind == TOKEN_NUMBER
+                ? arena_printf(p->arena, "(%.*s)", (int)open.length,
+                               open.source->text + open.offset)
+                : NULL);
     stream_next(p);
     bool fold = row->signature[1] == '+';
     bool ok = fold ? call_fold(p, row, &call, value)

@@ -225,9 +225,14 @@ static bool parse_light_item(struct parser *p, struct object *object,
     if (stream_keyword(p) == KEYWORD_PHOTONS)
         return parse_photon_flags(p, &light->photons);
     enum taken taken = light_move(p, light, *looks);
-    return taken != NOT_MINE
-               ? taken
-               : error_unknown_item(p, "light_source", light_names);
+    if (taken != NOT_MINE)
+        return taken;
+    const struct token *token = stream_peek(p);
+    if (token->kind == TOKEN_WORD && colour_begins(token->word->keyword))
+        return error_at(p, p->token_span, "<1, 2, 3>, rgb 1 ...",
+                        "a light has one colour, which comes behind its place; "
+                        "a place is written <1, 2, 3>");
+    return error_unknown_item(p, "light_source", light_names);
 }
 
 /* None is black, as in POV-Ray. */

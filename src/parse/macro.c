@@ -5,6 +5,7 @@
 #include "parse/array.h"
 #include "parse/directive.h"
 #include "parse/expression.h"
+#include "parse/mistaken.h"
 #include "parse/symbol.h"
 
 enum { MACRO_PARAMETER_LIMIT = 56 }; /* as POV-Ray 3.7 */
@@ -65,6 +66,10 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
             return error_at(p, span, NULL,
                             "an optional parameter needs POV-Ray 3.8, and "
                             "glim reads 3.7; calls give all of them");
+        if (name->keyword == KEYWORD_INT && pair)
+            return error_at(p, span, NULL,
+                            "a parameter has no type, only its "
+                            "name");
         if (name->reserved)
             return error_at(p, span, NULL,
                             "'%s' is a reserved word; name the parameter "
@@ -194,10 +199,14 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
             note_at(p, macro->span, "it is defined here");
             return false;
         }
+        if (mistaken_named(p)) {
+            note_at(p, macro->span, "'%s' is defined here", macro->name->text);
+            return false;
+        }
         if (!macro_argument(p, &values[i]))
             return false;
     }
-    if (stream_peek(p)->kind != TOKEN_RPAREN) {
+    if (stream_peek(p)->kind == TOKEN_COMMA || at_expression(p)) {
         error_at(p, p->token_span, NULL,
                  "macro '%s' wants no more than %d argument%s",
                  macro->name->text, macro->parameter_count,

@@ -395,9 +395,13 @@ bool parse_mesh(struct parser *p, struct object **out)
         ok = stream_peek(p)->kind == TOKEN_TRIANGLES
                  ? mesh_take_run(p, &builder)
                  : parse_mesh_triangle(p, &builder);
+    struct span behind = stream_span(p);
     ok = ok && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
+    if (builder.triangles.count == 0)
+        return error_at(p, behind, "triangle { <0, 0, 0>, ... }",
+                        "a mesh has at least one triangle");
     mesh->mapped = true;
     mesh_build(p, *out, mesh, &builder);
     return true;

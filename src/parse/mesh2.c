@@ -343,7 +343,15 @@ static bool mesh2_body(struct parser *p, struct mesh2 *m,
     do
         taken = parse_mesh2_list(p, m);
     while (taken == TAKEN);
-    return taken != WRONG && parse_modifiers(p, modifiers);
+    if (taken == WRONG || !parse_modifiers(p, modifiers))
+        return false;
+    if (m->lists.vertices.count == 0)
+        return error_expected_hint(p, "'vertex_vectors', the corners",
+                                   "vertex_vectors { 3, <0, 0, 0>, ... }");
+    return m->lists.triangles.count > 0 ||
+           error_expected_hint(
+               p, "'face_indices', which three corners make a triangle",
+               "face_indices { 1, <0, 1, 2> } ...");
 }
 
 /* mesh2 = "mesh2" "{" {mesh2_list} {"inside_vector" vector | modifier} "}" . */

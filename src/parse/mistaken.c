@@ -134,6 +134,12 @@ static const struct synonym synonyms[] = {
     { "length", NULL, "vlength(V)" },
     { "dot", NULL, "vdot(V, W)" },
     { "cross", NULL, "vcross(V, W)" },
+    { "vec2", "", "<1, 2> ..." },
+    { "vec3", "", "<1, 2, 3> ..." },
+    { "vec4", "", "<1, 2, 3, 4> ..." },
+    { "vector", "", "<1, 2, 3> ..." },
+    { "vector3", "", "<1, 2, 3> ..." },
+    { "float3", "", "<1, 2, 3> ..." },
     { "ramp", NULL, "gradient y" },
     { "gradient_map", NULL, "color_map" },
     { "rgba", NULL, "rgbt" },
@@ -153,7 +159,23 @@ const char *mistaken_word(const struct word *word, const char *block)
     return NULL;
 }
 
-/* `2**3`, `[1, 2]`, and `size(A)`, a word that means something else here. */
+/* `[1, 2]` and `{1, 2}` as an array. */
+static const char *mistaken_list(struct parser *p)
+{
+    enum { LONGEST = 60 };
+    const char *text = p->token_span.source->text + p->token_span.offset;
+    size_t length = strcspn(text + 1, "[]{}<>()\"\r\n");
+    int count = 1;
+    if (!strchr("]}", text[1 + length]) || length == 0 || length > LONGEST)
+        return "array[3] {1, 2, 3}";
+    for (size_t i = 1; i <= length; i++)
+        count += text[i] == ',';
+    return arena_printf(p->arena, "array[%d] {%.*s}", count, (int)length,
+                        text + 1);
+}
+
+/* `2**3`, a list, `if (A) B else C`, and `size(A)`, a word that means something
+ * else here. */
 const char *mistaken_value(struct parser *p, const char *wanted)
 {
     const struct token *token = stream_peek(p);
@@ -161,8 +183,12 @@ const char *mistaken_value(struct parser *p, const char *wanted)
     if (token->kind == TOKEN_STAR && last.source &&
         last.source->text[last.offset] == '*')
         return "pow(x, 2)";
-    if (token->kind == TOKEN_LBRACKET && strcmp(wanted, "a value") == 0)
-        return "array[3] {1, 2, 3}";
+    bool value = strcmp(wanted, "a value") == 0;
+    if (value && (token->kind == TOKEN_LBRACKET || token->kind == TOKEN_LBRACE))
+        return mistaken_list(p);
+    if (value && token->kind == TOKEN_WORD &&
+        token->word->keyword == KEYWORD_IF)
+        return "(A > B ? C : D) ...";
     return strncmp(wanted, "a ", 2) == 0 && token->kind == TOKEN_WORD &&
                    token->word->reserved
                ? mistaken_word(token->word, "")
@@ -206,6 +232,28 @@ bool mistaken_degrees(struct parser *p)
     return false;
 }
 
+bool mistaken_named(struct parser *p)
+{
+    enum { LONGEST = 40 };
+    size_t left;
+    const struct token *token = stream_peek(p), *next = stream_raw(p, &left);
+    if (token->kind != TOKEN_WORD || left < 2 ||
+        (next[0].kind != TOKEN_EQUAL && next[0].kind != TOKEN_COLON) ||
+        next[1].kind == TOKEN_EQUAL)
+        return false;
+    struct span at = p->token_span;
+    const char *text = at.source->text + at.offset;
+    size_t value = next[1].offset - at.offset, end = strcspn(text, "(),\r\n");
+    bool shown = value < end && end - value < LONGEST && text[end] != '(';
+    at.length = (uint32_t)(shown ? end : value);
+    error_at(
+        p, at,
+        shown ? arena_printf(p->arena, "%.*s", (int)(end - value), text + value)
+              : NULL,
+        "arguments have no names; which is which is told by their order");
+    return true;
+}
+
 enum keyword mistaken_directive_word(const struct word *word)
 {
     size_t count = sizeof directive_words / sizeof *directive_words;
@@ -222,16 +270,6 @@ enum keyword mistaken_directive_word(const struct word *word)
             meant = i;
     }
     return meant;
-}
-
-const char *mistaken_hexadecimal(struct parser *p, const struct word *word)
-{
-    unsigned red, green, blue;
-    if (word->length != 6 ||
-        strspn(word->text, "0123456789abcdefABCDEF") != 6 ||
-        sscanf(word->text, "%2x%2x%2x", &red, &green, &blue) != 3)
-        return NULL;
-    return arena_printf(p->arena, "srgb <%u, %u, %u>/255", red, green, blue);
 }
 
 const char *mistaken_character(struct parser *p, struct span span)
@@ -296,6 +334,27 @@ static bool mistaken_after_message(struct parser *p)
              before[0].word->text);
     stream_next(p);
     return true;
+}
+
+/* `#if (A) then`, `#while (A) do`, `#for (...) begin`, also with a '#'. */
+static bool mistaken_filler(struct parser *p)
+{
+    static const char *const fillers[] = { "then", "do", "begin" };
+    const struct token *token = stream_peek(p);
+    const struct cursor *cursor = p->cursor;
+    if (token->kind != TOKEN_WORD || cursor->index < 2 ||
+        cursor->list->tokens[cursor->index - 2].kind != TOKEN_RPAREN)
+        return false;
+    for (size_t i = 0; i < sizeof fillers / sizeof *fillers; i++)
+        if (strcmp(token->word->text, fillers[i]) == 0) {
+            error_at(p, p->token_span, NULL,
+                     "no '%s' stands behind the condition of a directive, only "
+                     "an '#end' behind all that belongs to it",
+                     token->word->text);
+            stream_next(p);
+            return true;
+        }
+    return false;
 }
 
 static bool mistaken_bare(struct parser *p)
@@ -382,8 +441,8 @@ static bool mistaken_declaration(struct parser *p)
 
 bool mistaken_statement(struct parser *p)
 {
-    return mistaken_after_message(p) || mistaken_bare(p) ||
-           mistaken_declaration(p);
+    return mistaken_after_message(p) || mistaken_filler(p) ||
+           mistaken_bare(p) || mistaken_declaration(p);
 }
 
 void mistaken_skip_line(struct parser *p, struct span at)

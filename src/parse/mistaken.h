@@ -21,6 +21,9 @@ const char *mistaken_capital(struct parser *p, const char *text);
 /* What the next token was meant to be, where `wanted` was expected; or NULL. */
 const char *mistaken_value(struct parser *p, const char *wanted);
 
+/* If the next argument of a call is named, as in M(A=1): reports it. */
+bool mistaken_named(struct parser *p);
+
 /* If the next token is a unit of angles, as in `30*deg`: reports it. */
 bool mistaken_degrees(struct parser *p);
 
@@ -38,8 +41,17 @@ void mistaken_define(struct parser *p, struct span at);
 /* Drops the rest of the line of `at`, up to which was read. */
 void mistaken_skip_line(struct parser *p, struct span at);
 
-/* "srgb <255, 128, 0>/255" for the word ff8000, or NULL. */
-const char *mistaken_hexadecimal(struct parser *p, const struct word *word);
+/* "srgb <255, 128, 0>/255" for ff8000, and for f80 likewise; else NULL. */
+const char *mistaken_shade(struct parser *p, const char *digits);
+
+/* If the next token touches the number before it, and is meant to be a part of
+ * it, as in 0xff, 1.0f and 1_000, or its factor, as in 2x: reports it, takes it
+ * and returns true. */
+bool mistaken_number(struct parser *p);
+
+/* The same of a comma behind the last token of a value, as in 1,5 and in a
+ * vector without its brackets; it is not taken. */
+bool mistaken_comma(struct parser *p, struct span last);
 
 /* What to type for characters that only look right, or NULL. */
 const char *mistaken_character(struct parser *p, struct span span);

@@ -56,9 +56,8 @@ static bool normal_map_entries(struct parser *p, bool average,
         return true;
     }
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!parse_normal_map_entry(p, average, &list))
+        if (!parse_normal_map_entry(p, average, &list) || !entry_end(p))
             return false;
-        accept(p, TOKEN_COMMA);
     }
     struct normal_map *map = ARENA_NEW(p->scene_arena, struct normal_map);
     *map = (struct normal_map){ list.items, list.count };
@@ -136,9 +135,8 @@ static bool slope_map_entries(struct parser *p, const struct slope_map **out)
         return true;
     }
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!parse_slope_map_entry(p, &list))
+        if (!parse_slope_map_entry(p, &list) || !entry_end(p))
             return false;
-        accept(p, TOKEN_COMMA);
     }
     struct slope_map *map = ARENA_NEW(p->scene_arena, struct slope_map);
     *map = (struct slope_map){ list.items, list.count };

@@ -300,12 +300,9 @@ static bool parse_parentheses(struct parser *p, const char *wanted,
 
 /* ---- identifiers ---- */
 
-/* An identifier without a value, reported by now: it and what belongs to it
- * is read over. */
-static bool operand_skip_identifier(struct parser *p, struct value *value)
+/* Subscripts and arguments of what was reported. */
+static bool operand_skip_call(struct parser *p)
 {
-    stream_next(p);
-    *value = value_poison();
     for (;;) {
         enum token_kind kind = stream_peek_infix(p)->kind;
         if (kind != TOKEN_LPAREN && kind != TOKEN_LBRACKET)
@@ -315,13 +312,27 @@ static bool operand_skip_identifier(struct parser *p, struct value *value)
     }
 }
 
+/* An identifier without a value, reported by now: it and what belongs to it
+ * is read over. */
+static bool operand_skip_identifier(struct parser *p, struct value *value)
+{
+    stream_next(p);
+    *value = value_poison();
+    return operand_skip_call(p);
+}
+
 static bool operand_element(struct parser *p, const char *wanted,
                             const struct word *word, struct value *value)
 {
     struct span start = p->last_span;
     struct value *slot;
     if (stream_peek_infix(p)->kind != TOKEN_LBRACKET) {
-        error_at(p, start, arena_printf(p->arena, "%s[0]", word->text),
+        size_t left;
+        const char *which = stream_peek_infix(p)->kind == TOKEN_DOT &&
+                                    stream_raw(p, &left)->kind == TOKEN_WORD
+                                ? "dimension_size(%s, 1) ..."
+                                : "%s[0]";
+        error_at(p, start, arena_printf(p->arena, which, word->text),
                  "expected %s, found '%s', which is an array", wanted,
                  word->text);
         *value = value_poison();
@@ -435,15 +446,16 @@ static bool parse_component(struct parser *p, struct value *value)
         return error_expected(p, "a component, as in V.x");
     struct span span = p->token_span;
     stream_next(p);
+    if (value_is_poison(value))
+        return operand_skip_call(p);
     if (index == -2) {
         error_at(p, span, component_other_case(p, span),
                  "'%.*s' is not a component; there are x, y, z, t, u, v, red, "
                  "green, blue, filter, transmit and gray",
                  (int)span.length, span.source->text + span.offset);
         *value = value_poison();
-    }
-    if (value_is_poison(value))
         return true;
+    }
     if (index >= value_size(value) || (index < 0 && value_size(value) < 3)) {
         error_at(p, span, NULL, "%s has no component '%.*s'",
                  value_describe(value), (int)span.length,
@@ -522,7 +534,10 @@ static bool parse_primary(struct parser *p, const char *wanted,
     case TOKEN_WORD:
         return parse_word_operand(p, wanted, value);
     default:
-        return error_expected(p, wanted);
+        if (!string_unquoted(p, &value->text))
+            return error_expected(p, wanted);
+        *value = value_text(value->text);
+        return true;
     }
 }
 

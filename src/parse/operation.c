@@ -32,8 +32,10 @@ static bool operator_misplaced(struct parser *p, enum precedence lowest,
     const char *text = p->token_span.source->text + p->token_span.offset;
     int length = (int)p->token_span.length;
     error_at(p, p->token_span, NULL,
-             "'%.*s' must be inside parentheses: (a %.*s b)", length, text,
-             length, text);
+             kind == TOKEN_QUESTION
+                 ? "'%.*s' must be inside parentheses: (a > b %.*s c : d)"
+                 : "'%.*s' must be inside parentheses: (a %.*s b)",
+             length, text, length, text);
     return true;
 }
 

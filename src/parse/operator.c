@@ -183,7 +183,9 @@ void operator_apply(struct parser *p, enum token_kind kind, struct span span,
         return;
     }
     if (left->kind == VALUE_STRING || right->kind == VALUE_STRING) {
-        error_at(p, span, NULL,
+        bool joins = kind == TOKEN_PLUS && left->kind != right->kind &&
+                     (left->kind == VALUE_FLOAT || right->kind == VALUE_FLOAT);
+        error_at(p, span, joins ? "concat(TEXT, str(NUMBER, 0, 3)) ..." : NULL,
                  "this operator has %s on its left and %s on "
                  "its right",
                  value_kind_name(left->kind), value_kind_name(right->kind));

@@ -40,6 +40,13 @@ bool bracket_begin(struct parser *p, struct span *open)
            error_expected_hint(p, "'['", "[0 ...]");
 }
 
+bool entry_end(struct parser *p)
+{
+    return stream_peek(p)->kind != TOKEN_COMMA ||
+           error_at(p, p->token_span, NULL,
+                    "no comma stands between the entries of a map");
+}
+
 bool skip_item(struct parser *p)
 {
     double ignored;

@@ -27,6 +27,9 @@ bool at_any_colour(struct parser *p);
 /* '[' around an entry of a map. */
 bool bracket_begin(struct parser *p, struct span *open);
 
+/* Behind an entry of a map: the next one or the '}'. A comma is an error. */
+bool entry_end(struct parser *p);
+
 /* An item without any effect on the picture that glim draws: its name and,
  * if one follows, its number are taken. */
 bool skip_item(struct parser *p);

@@ -1,5 +1,6 @@
 /* The scene file as a sequence of items, and what #declare can name besides
  * numbers and strings. */
+#include "parse/expression.h"
 #include "parse/macro.h"
 #include "parse/mistaken.h"
 #include "parse/rules.h"
@@ -315,6 +316,18 @@ static bool scene_stray(struct parser *p)
         stream_next(p);
         return true;
     }
+    if (kind == TOKEN_LESS && strncmp(text, "<!--", 4) == 0) {
+        at.length = 4;
+        error_at(p, at, "/* ...", "a comment stands between '/*' and '*/'");
+        mistaken_skip_line(p, at);
+        return true;
+    }
+    if (kind == TOKEN_AND || kind == TOKEN_OR) {
+        error_at(p, at, "((a > 1) & (b > 1)) ...",
+                 "the condition of a directive stands in one pair of "
+                 "parentheses");
+        return true;
+    }
     if (kind != TOKEN_MINUS && kind != TOKEN_PLUS && kind != TOKEN_STAR)
         return false;
     error_at(p, at,
@@ -325,7 +338,8 @@ static bool scene_stray(struct parser *p)
     return true;
 }
 
-/* `Chair(1) { translate x }`: the next token, a '{', is behind a call. */
+/* `Chair(1) { translate x }`: the next token, a '{', is behind a call, and not
+ * behind the head of the macro that is being read. */
 static bool scene_behind_call(struct parser *p)
 {
     const struct cursor *cursor = p->cursor;
@@ -341,13 +355,24 @@ static bool scene_behind_call(struct parser *p)
         if (depth == 0)
             break;
     }
-    return at > 0 && tokens[at - 1].kind == TOKEN_WORD &&
+    return at > 1 && tokens[at - 1].kind == TOKEN_WORD &&
+           (tokens[at - 2].kind != TOKEN_DIRECTIVE ||
+            tokens[at - 2].word->keyword != KEYWORD_MACRO) &&
            macro_is_call(p, tokens[at - 1].word);
+}
+
+/* What was wrong when it was declared, perhaps a macro that is called. */
+static bool scene_poison(struct parser *p)
+{
+    stream_next(p);
+    return stream_peek(p)->kind == TOKEN_LPAREN && skip_brackets(p);
 }
 
 static bool scene_unknown(struct parser *p)
 {
     struct span open;
+    if (at_poison(p))
+        return scene_poison(p);
     if (mistaken_statement(p))
         return true; /* and read on right behind it */
     if (at_word(p, "max_trace_level") || at_word(p, "max_intersections"))

@@ -167,6 +167,18 @@ void stream_ask(struct parser *p)
     p->fetched = STREAM_PATIENCE - 1;
 }
 
+/* The loop that had most rounds, of those that are open. */
+static void note_longest_loop(struct parser *p)
+{
+    const struct open_block *longest = NULL;
+    for (const struct cursor *c = p->cursor; c; c = c->below)
+        for (size_t i = 0; i < c->blocks.count; i++)
+            if (!longest || c->blocks.items[i].rounds > longest->rounds)
+                longest = &c->blocks.items[i];
+    if (longest && longest->rounds > 1)
+        note_at(p, longest->span, "this is in its round %u", longest->rounds);
+}
+
 /* Asked now and then, for it takes as long as a token: the arenas are far
  * apart.
  */
@@ -184,6 +196,7 @@ static bool stream_interrupted(struct parser *p)
     error_at(p, p->last_span, NULL,
              "the scene needs more memory than the limit of %zu MiB",
              limit >> 20);
+    note_longest_loop(p);
     stream_abort(p);
     return true;
 }
@@ -463,7 +476,7 @@ bool block_items(struct parser *p, bool (*item)(struct parser *p))
     return block_end(p, open, ok);
 }
 
-static bool block_opens(enum keyword keyword)
+bool stream_block_opens(enum keyword keyword)
 {
     return keyword == KEYWORD_IF || keyword == KEYWORD_IFDEF ||
            keyword == KEYWORD_IFNDEF || keyword == KEYWORD_WHILE ||
@@ -471,10 +484,33 @@ static bool block_opens(enum keyword keyword)
            keyword == KEYWORD_MACRO;
 }
 
+/* What is wrong in the text that was skipped from the token `begin` on, and may
+ * have taken an #end with it: a string that isn't closed. */
+static void note_unread(struct parser *p, size_t begin)
+{
+    const struct cursor *cursor = p->cursor;
+    for (size_t i = begin; i < cursor->end; i++) {
+        const struct token *token = &cursor->list->tokens[i];
+        struct span span = cursor_span(cursor, i);
+        bool lines =
+            token->kind == TOKEN_STRING && strchr(token->text, '\n') != NULL;
+        if (lines)
+            span.length = 1;
+        if (lines || token->kind == TOKEN_BAD) {
+            note_at(p, span, "%s",
+                    lines ? "this string ends lines below; its '\"' may be "
+                            "missing"
+                          : token->text);
+            return;
+        }
+    }
+}
+
 enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
                                struct span open)
 {
     struct cursor *cursor = p->cursor;
+    size_t begin = cursor->index;
     unsigned depth = 0;
     bool bare = open.source->text[open.offset] != '#'; /* reported by now */
     for (; cursor->index < cursor->end; cursor->index++) {
@@ -486,11 +522,12 @@ enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
         for (size_t i = 0; depth == 0 && stops[i]; i++)
             if (keyword == stops[i])
                 return keyword;
-        if (block_opens(keyword))
+        if (stream_block_opens(keyword))
             depth++;
         else if (keyword == KEYWORD_END && depth > 0)
             depth--;
     }
     error_at(p, open, NULL, "this directive has no '#end'");
+    note_unread(p, begin);
     return KEYWORD_NONE;
 }

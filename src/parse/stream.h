@@ -22,8 +22,11 @@ struct open_block {
     size_t condition;      /* token index to go back to */
     unsigned rounds;       /* of a loop so far */
     unsigned long changes; /* p->changes when the condition was last read */
+    unsigned long asked;   /* hash of what it asked for when last looked at */
+    unsigned same;         /* how often that was the same, one after another */
     const struct word *variable; /* of a #for */
-    double value, last, step;
+    double value, last, step;    /* of a #while the value is how far it was from
+                                  * its end when last looked at */
 };
 
 struct cursor {
@@ -89,6 +92,9 @@ void stream_ask(struct parser *p);
 
 /* Stops the parse: from now on there is only TOKEN_END. */
 void stream_abort(struct parser *p);
+
+/* Whether the directive goes up to an #end of its own. */
+bool stream_block_opens(enum keyword keyword);
 
 /* Moves the top cursor past skipped text to the directive, one of the
  * keywords in `stops` (KEYWORD_NONE ends the list), that belongs to the block

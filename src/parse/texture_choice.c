@@ -47,9 +47,8 @@ static bool texture_map_entries(struct parser *p, struct choice_builder *b)
         if (!choice_push(p, b, map->entries[i].value, map->entries[i].texture))
             return false;
     while (stream_peek(p)->kind != TOKEN_RBRACE) {
-        if (!parse_texture_map_entry(p, b))
+        if (!parse_texture_map_entry(p, b) || !entry_end(p))
             return false;
-        accept(p, TOKEN_COMMA);
     }
     return true;
 }

@@ -7,6 +7,7 @@
 #include "parse/expression.h"
 #include "parse/function.h"
 #include "parse/function_field.h"
+#include "parse/mistaken.h"
 #include "parse/operator.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
@@ -411,6 +412,10 @@ static bool parse_parameters(struct compiler *c)
                             "a function can have %d parameters at most",
                             FUNCTION_PARAMETERS);
         c->names[c->name_count++] = stream_next(p).word;
+        if (stream_peek(p)->kind == TOKEN_WORD)
+            return error_at(p, span_join(p->last_span, p->token_span),
+                            p->token.word->text,
+                            "a parameter is one word, its name");
     } while (accept(p, TOKEN_COMMA));
     return expect(p, TOKEN_RPAREN, open);
 }
@@ -485,7 +490,8 @@ static bool parse_argument_list(struct parser *p, const struct word *name,
             return error_at(p, p->token_span, NULL,
                             "%s() wants %d argument%s, found %d", name->text,
                             count, count == 1 ? "" : "s", i);
-        if (!parse_operation(p, PRECEDENCE_WHOLE, "a number", &value))
+        if (mistaken_named(p) ||
+            !parse_operation(p, PRECEDENCE_WHOLE, "a number", &value))
             return false;
         if (!value_to_float(p, start, &value, &arguments[i]))
             *poison = true;

@@ -18,6 +18,7 @@ struct light;
 struct texture;
 struct interior;
 struct photon_flags;
+struct child_probes;
 struct object;
 
 enum object_kind {
@@ -83,6 +84,7 @@ struct object_more {
      * CSG or a shape that POV-Ray doesn't bound by itself. */
     const struct clip *bounds;
     const struct photon_flags *photons; /* NULL: the parent's */
+    struct child_probes *probes; /* of many children: object_probe.h, or NULL */
     unsigned child_count, clip_count, bound_count;
     unsigned light_group; /* whose lamps light it; 0: none, or the parent's */
 };

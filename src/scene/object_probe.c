@@ -27,16 +27,33 @@ bool object_is_solid(const struct object *object)
     return object->more->child_count > 0;
 }
 
-/* ---- trees of meshes ---- */
+/* ---- trees of meshes and unions ---- */
 
 enum {
     PROBES_FEW = 16,  /* questions that a tree takes longer to make than */
     TREE_BYTES = 320, /* of a triangle's part of a tree, while it is made */
 };
 
-/* Of the mesh's size: boxes are so much larger, that no rounding hides a hit.
+/* Of the whole's size: boxes are so much larger, that no rounding hides a hit.
  */
 static const double box_margin = 1e-7;
+
+static struct box3 box_wider(struct box3 box, double margin)
+{
+    const vec3 more = vec3_make(margin, margin, margin);
+    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
+}
+
+static double box_diagonal(struct box3 box)
+{
+    return vec3_length(vec3_sub(box.high, box.low));
+}
+
+static bool tree_has_room(struct arena *arena, size_t count)
+{
+    size_t limit = arena_limit(arena), used = arena_used(arena);
+    return !limit || (used < limit && count < (limit - used) / TREE_BYTES);
+}
 
 static const struct box_tree *mesh_tree(const struct mesh *mesh,
                                         struct arena *arena)
@@ -44,14 +61,9 @@ static const struct box_tree *mesh_tree(const struct mesh *mesh,
     struct arena *boxes_arena = arena_new(0);
     struct box3 *boxes =
         ARENA_ARRAY(boxes_arena, struct box3, mesh->triangle_count);
-    double margin =
-        box_margin * vec3_length(vec3_sub(mesh->bounds.high, mesh->bounds.low));
-    const vec3 more = vec3_make(margin, margin, margin);
-    for (size_t i = 0; i < mesh->triangle_count; i++) {
-        struct box3 box = mesh_triangle_box(mesh, i);
-        boxes[i] =
-            (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
-    }
+    double margin = box_margin * box_diagonal(mesh->bounds);
+    for (size_t i = 0; i < mesh->triangle_count; i++)
+        boxes[i] = box_wider(mesh_triangle_box(mesh, i), margin);
     const struct box_tree *tree =
         box_tree_new(arena, boxes, mesh->triangle_count);
     arena_free(boxes_arena);
@@ -64,22 +76,110 @@ static void mesh_expect(const struct mesh *mesh, bool often,
     struct mesh_probes *probes = mesh->probes;
     if (!probes || probes->tree || (++probes->asked < PROBES_FEW && !often))
         return;
-    size_t limit = arena_limit(arena), used = arena_used(arena);
-    if (!limit ||
-        (used < limit && mesh->triangle_count < (limit - used) / TREE_BYTES))
+    if (tree_has_room(arena, mesh->triangle_count))
         probes->tree = mesh_tree(mesh, arena);
+}
+
+static struct box3 probe_bounds(const struct object *object);
+
+static struct box3 children_bounds(const struct object *object)
+{
+    bool meet = object->kind == OBJECT_INTERSECTION;
+    struct box3 box = meet ? box3_infinite() : box3_empty();
+    for (size_t i = 0; i < object->more->child_count; i++) {
+        struct box3 child = probe_bounds(object->more->children[i]);
+        box = meet ? box3_intersection(box, child) : box3_union(box, child);
+    }
+    return box;
+}
+
+/* All of the node's surface and inside, in its parent's space. Not what
+ * object_bounds tells, which is POV-Ray's and may be too small. */
+static struct box3 probe_bounds(const struct object *object)
+{
+    const struct primitive *primitive = object->primitive;
+    if (object->inverse)
+        return box3_infinite();
+    switch (object->kind) {
+    case OBJECT_SHAPE:
+        return primitive->beyond ? box3_infinite()
+                                 : affine_box(object->maps->own,
+                                              primitive->bounds(object->shape));
+    case OBJECT_MESH:
+        return affine_box(object->maps->own, object->mesh->bounds);
+    case OBJECT_LIGHT:
+        return box3_empty();
+    case OBJECT_UNION:
+    case OBJECT_MERGE:
+    case OBJECT_INTERSECTION:
+        break;
+    }
+    return affine_box(object->maps->own, children_bounds(object));
+}
+
+/* The children's boxes, those of lights being empty; false: one is endless. */
+static bool children_boxes(const struct object *object, struct box3 *boxes)
+{
+    struct box3 all = box3_empty();
+    size_t count = object->more->child_count;
+    for (size_t i = 0; i < count; i++) {
+        boxes[i] = probe_bounds(object->more->children[i]);
+        all = box3_union(all, boxes[i]);
+    }
+    double margin = box_margin * box_diagonal(all);
+    for (size_t i = 0; i < count; i++)
+        boxes[i] = box3_is_empty(boxes[i]) ? (struct box3){ all.low, all.low }
+                                           : box_wider(boxes[i], margin);
+    return isfinite(margin);
+}
+
+static void children_tree(const struct object *object, struct arena *arena)
+{
+    const struct object_more *more = object->more;
+    struct arena *boxes_arena = arena_new(0);
+    struct box3 *boxes =
+        ARENA_ARRAY(boxes_arena, struct box3, more->child_count);
+    if (children_boxes(object, boxes))
+        more->probes->tree = box_tree_new(arena, boxes, more->child_count);
+    else
+        more->probes->endless = true;
+    arena_free(boxes_arena);
+}
+
+/* Whether the children are known by now, as they are in a tree. */
+static bool children_expect(const struct object *object, bool *often,
+                            struct arena *arena)
+{
+    struct child_probes *probes = object->more->probes;
+    if (!probes || probes->endless)
+        return false;
+    if (probes->tree)
+        return true;
+    if (++probes->asked < PROBES_FEW && !*often)
+        return false;
+    if (tree_has_room(arena, object->more->child_count))
+        children_tree(object, arena);
+    *often |= probes->tree != NULL; /* this was the last time */
+    return false;
 }
 
 void object_probe_expect(const struct object *object, bool often,
                          struct arena *arena)
 {
     const struct object_more *more = object->more;
+    bool known = children_expect(object, &often, arena);
     if (object->kind == OBJECT_MESH)
         mesh_expect(object->mesh, often, arena);
-    for (size_t i = 0; i < more->child_count; i++)
+    for (size_t i = 0; i < more->child_count && !known; i++)
         object_probe_expect(more->children[i], often, arena);
     for (size_t i = 0; i < more->clip_count; i++)
         object_probe_expect(more->clips[i].object, often, arena);
+}
+
+/* Of a union or a merge with a tree. */
+static const struct box_tree *children_known(const struct object *object)
+{
+    return object->more->probes ? object->more->probes->tree : NULL;
 }
 
 /* Triangles that the ray may meet between 0 and *tmax. */
@@ -122,6 +222,36 @@ static bool mesh_inside(const struct mesh *mesh, vec3 point)
     return count.odd;
 }
 
+struct child_inside {
+    const struct object *parent,
+        *except; /* a child that isn't asked, or NULL */
+    vec3 point;
+    bool found;
+};
+
+static bool child_visit(void *context, size_t i)
+{
+    struct child_inside *inside = context;
+    const struct object *child = inside->parent->more->children[i];
+    inside->found =
+        child != inside->except && object_inside(child, inside->point);
+    return inside->found;
+}
+
+/* Whether the point is in another child of a union or a merge. */
+static bool children_inside(const struct object *parent,
+                            const struct object *except, vec3 point)
+{
+    struct child_inside inside = { parent, except, point, false };
+    const struct box_tree *tree = children_known(parent);
+    if (tree)
+        box_tree_box(tree, (struct box3){ point, point }, child_visit, &inside);
+    for (size_t i = 0; !tree && i < parent->more->child_count; i++)
+        if (child_visit(&inside, i))
+            break;
+    return inside.found;
+}
+
 static bool content_inside(const struct object *object, vec3 point)
 {
     bool all = object->kind == OBJECT_INTERSECTION;
@@ -129,10 +259,12 @@ static bool content_inside(const struct object *object, vec3 point)
         return object->primitive->inside(object->shape, point);
     if (object->kind == OBJECT_MESH)
         return mesh_inside(object->mesh, point);
+    if (!all)
+        return children_inside(object, NULL, point);
     for (size_t i = 0; i < object->more->child_count; i++)
-        if (object_inside(object->more->children[i], point) != all)
-            return !all;
-    return all;
+        if (!object_inside(object->more->children[i], point))
+            return false;
+    return true;
 }
 
 static bool clips_inside(const struct object *object, vec3 point)
@@ -182,12 +314,13 @@ struct level {
 static bool siblings_agree(const struct object *parent, bool parent_inverse,
                            const struct object *child, vec3 point)
 {
-    bool wanted = parent->kind == OBJECT_INTERSECTION;
     if (parent->kind == OBJECT_UNION && !parent_inverse)
         return true;
+    if (parent->kind != OBJECT_INTERSECTION)
+        return !children_inside(parent, child, point);
     for (size_t i = 0; i < parent->more->child_count; i++)
         if (parent->more->children[i] != child &&
-            object_inside(parent->more->children[i], point) != wanted)
+            !object_inside(parent->more->children[i], point))
             return false;
     return true;
 }
@@ -297,6 +430,32 @@ static void probe_mesh(struct probe *probe, const struct level *level,
 }
 
 static void probe_object(struct probe *probe, const struct object *object,
+                         const struct level *above);
+
+struct probe_children {
+    struct probe *probe;
+    const struct level *level;
+    size_t best; /* the child that probe.best is on; 0 also for none */
+};
+
+/* Of children in one place the first counts, whichever is looked at first. */
+static bool probe_child(void *context, size_t i)
+{
+    struct probe_children *all = context;
+    struct probe *probe = all->probe;
+    double before = probe->best;
+    if (i < all->best)
+        probe->best = nextafter(before, HUGE_VAL);
+    double limit = probe->best;
+    probe_object(probe, all->level->object->more->children[i], all->level);
+    if (probe->best < limit)
+        all->best = i;
+    else
+        probe->best = before;
+    return false;
+}
+
+static void probe_object(struct probe *probe, const struct object *object,
                          const struct level *above)
 {
     affine inverse = affine_unmoved, to_own;
@@ -318,8 +477,12 @@ static void probe_object(struct probe *probe, const struct object *object,
         probe_shape(probe, &level, &ray);
     else if (object->kind == OBJECT_MESH)
         probe_mesh(probe, &level, &ray);
-    for (size_t i = 0; i < object->more->child_count; i++)
-        probe_object(probe, object->more->children[i], &level);
+    struct probe_children all = { probe, &level, 0 };
+    const struct box_tree *tree = children_known(object);
+    if (tree)
+        box_tree_ray(tree, &ray, 0, &probe->best, probe_child, &all);
+    for (size_t i = 0; !tree && i < object->more->child_count; i++)
+        probe_child(&all, i);
 }
 
 bool object_trace(const struct object *object, const struct ray *ray, double *t,

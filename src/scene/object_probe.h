@@ -1,6 +1,8 @@
 /* What a scene's text may ask about an object while the scene is still being
  * read: is a point inside, where does a ray meet it. Slow, straight from the
- * tree, but for meshes; the renderer has its own way (world/). */
+ * tree, but for meshes and unions of many; the renderer has its own way
+ * (world/).
+ */
 #ifndef SCENE_OBJECT_PROBE_H
 #define SCENE_OBJECT_PROBE_H
 
@@ -18,9 +20,19 @@ struct mesh_probes {
 /* Triangles from which on a mesh has it. */
 enum { MESH_PROBES_LEAST = 32 };
 
+/* What a union or a merge of many objects has in more.probes. */
+struct child_probes {
+    unsigned asked;
+    const struct box_tree *tree; /* of the children's boxes; NULL: not yet */
+    bool endless;                /* a child has no box: there is none */
+};
+
+/* Children from which on it has it. */
+enum { CHILD_PROBES_LEAST = 16 };
+
 /* Before an object is asked, or `often`: before it is asked very often, by many
- * threads. Its meshes get their trees, in the arena, when these pay and there
- * is room. By one thread at a time. */
+ * threads. Its meshes and unions get their trees, in the arena, when these pay
+ * and there is room. By one thread at a time. */
 void object_probe_expect(const struct object *object, bool often,
                          struct arena *arena);
 

@@ -21,7 +21,31 @@ static const struct lookalike lookalikes[] = {
     { "\xe2\x89\xa4", "<=", TOKEN_LESS_EQUAL },
     { "\xe2\x89\xa5", ">=", TOKEN_GREATER_EQUAL },
     { "\xe2\x89\xa0", "!=", TOKEN_NOT_EQUAL },
-    { "\xc2\xa0", "a blank", TOKEN_END }, /* no-break space */
+    { "\xc2\xa0", "a blank", TOKEN_END },     /* no-break space */
+    { "\xe3\x80\x80", "a blank", TOKEN_END }, /* ideographic space */
+    { "\xe2\x80\xb9", "<", TOKEN_LESS },      /* angle brackets */
+    { "\xe2\x80\xba", ">", TOKEN_GREATER },
+    { "\xe2\x9f\xa8", "<", TOKEN_LESS },
+    { "\xe2\x9f\xa9", ">", TOKEN_GREATER },
+    { "\xe3\x80\x88", "<", TOKEN_LESS },
+    { "\xe3\x80\x89", ">", TOKEN_GREATER },
+    { "\xef\xbc\x9c", "<", TOKEN_LESS }, /* as wide as Chinese characters */
+    { "\xef\xbc\x9e", ">", TOKEN_GREATER },
+    { "\xef\xbc\x88", "(", TOKEN_LPAREN },
+    { "\xef\xbc\x89", ")", TOKEN_RPAREN },
+    { "\xef\xbd\x9b", "{", TOKEN_LBRACE },
+    { "\xef\xbd\x9d", "}", TOKEN_RBRACE },
+    { "\xef\xbc\xbb", "[", TOKEN_LBRACKET },
+    { "\xef\xbc\xbd", "]", TOKEN_RBRACKET },
+    { "\xef\xbc\x8c", ",", TOKEN_COMMA },
+    { "\xe3\x80\x81", ",", TOKEN_COMMA },
+    { "\xef\xbc\x9b", ";", TOKEN_SEMICOLON },
+    { "\xef\xbc\x9d", "=", TOKEN_EQUAL },
+    { "\xef\xbc\x8b", "+", TOKEN_PLUS },
+    { "\xef\xbc\x8d", "-", TOKEN_MINUS },
+    { "\xef\xbc\x8a", "*", TOKEN_STAR },
+    { "\xef\xbc\x8f", "/", TOKEN_SLASH },
+    { "\xef\xbc\x82", "\"", TOKEN_STRING },
 };
 
 const struct lookalike *lookalike_find(const char *text)

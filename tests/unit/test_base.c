@@ -1,11 +1,17 @@
 /* base/: arenas, arrays, affine maps, text distance, the parallel loop. */
 #include "harness.h"
 
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "base/affine.h"
 #include "base/array.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/save.h"
 #include "base/text.h"
 
 /* Of the heap, mapped, and between them. */
@@ -244,6 +250,31 @@ static void parallel_does_each_item_once(void **state)
     assert_false(parallel_run(4, 10, &stop, mark, marks));
 }
 
+/* In another process, since it ends; the address sanitizer ends it in its own
+ * way. */
+static void save_leaves_nothing_without_memory(void **state)
+{
+    (void)state;
+#ifndef __SANITIZE_ADDRESS__
+    char directory[] = "/tmp/test_base.XXXXXX", path[80], error[100];
+    assert_non_null(mkdtemp(directory));
+    snprintf(path, sizeof path, "%s/picture", directory);
+    pid_t child = fork();
+    if (child == 0) {
+        struct save *save = save_start(path, error, sizeof error);
+        if (save && save_put(save, path, sizeof path, error, sizeof error) &&
+            rmdir(directory) != 0) /* there is something in it */
+            memory_new(SIZE_MAX / 2);
+        _exit(99);
+    }
+    int status;
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFEXITED(status));
+    assert_int_equal(WEXITSTATUS(status), 1);
+    assert_int_equal(rmdir(directory), 0);
+#endif
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -261,6 +292,7 @@ int main(void)
         cmocka_unit_test(text_distance_counts_edits),
         cmocka_unit_test(text_numbers_are_written_out),
         cmocka_unit_test(parallel_does_each_item_once),
+        cmocka_unit_test(save_leaves_nothing_without_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,8 +8,9 @@
 /* What stands before the '='. */
 struct declaration {
     const struct word *name;
-    struct span span;   /* of the name */
-    struct value *slot; /* of an array's element, NULL: the name itself */
+    struct span span;    /* of the name */
+    struct value *slot;  /* of an array's element, NULL: the name itself */
+    struct array *array; /* which that is of */
     const char *deprecated;
     bool once;
 };
@@ -47,13 +48,16 @@ static bool declare_name_ends(struct parser *p)
     enum token_kind kind = stream_peek_infix(p)->kind;
     size_t left;
     const struct token *next = stream_raw(p, &left);
-    bool joined = (kind == TOKEN_MINUS || kind == TOKEN_DOT) && left > 0 &&
-                  next->kind == TOKEN_WORD &&
-                  p->token_span.offset == name.offset + name.length &&
-                  next->offset == p->token_span.offset + 1;
-    if (!joined)
+    struct span sign = p->token_span;
+    bool touches = sign.offset == name.offset + name.length;
+    bool joined = touches && left > 0 && next->kind == TOKEN_WORD &&
+                  (kind == TOKEN_MINUS || kind == TOKEN_DOT) &&
+                  next->offset == sign.offset + 1;
+    bool number = touches && kind == TOKEN_NUMBER; /* of Ball2.5 */
+    if (!joined && !number)
         return true;
-    size_t after = next->offset + next->length;
+    size_t after =
+        number ? sign.offset + sign.length : next->offset + next->length;
     char *hint = arena_copy_text(p->arena, name.source->text + name.offset,
                                  after - name.offset);
     hint[name.length] = '_';
@@ -73,7 +77,9 @@ static bool declare_name(struct parser *p, const struct word **name)
     const struct token *token = stream_peek(p);
     if (token->kind != TOKEN_WORD)
         return declare_begins_wrong(p) ||
-               error_expected(p, "a name to declare");
+               error_expected_hint(p, "a name to declare",
+                                   token->kind == TOKEN_STRING ? token->text
+                                                               : NULL);
     if (token->word->reserved)
         return error_at(p, p->token_span, declare_capital(p, token->word),
                         "'%s' is a reserved word; declare another name",
@@ -93,6 +99,52 @@ static struct span declare_end(const struct parser *p)
                : p->last_span;
 }
 
+/* A comment right behind the value that has a ';': that is taken for a part of
+ * the declaration, or '//' for an operator. */
+static void note_comment(struct parser *p, struct span end)
+{
+    const char *text = end.source->text;
+    size_t at = end.offset + end.length;
+    at += strspn(text + at, " \t");
+    size_t length = strcspn(text + at, "\r\n");
+    if (strncmp(text + at, "//", 2) == 0 && memchr(text + at, ';', length))
+        note_at(p, (struct span){ end.source, (uint32_t)at, 2 },
+                "what follows is a comment, its ';' as well");
+}
+
+/* Behind a declaration that is wrong: its ';' or the next directive. */
+static void declare_skip(struct parser *p)
+{
+    for (;;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        if (kind == TOKEN_END)
+            return;
+        stream_next(p);
+        if (kind == TOKEN_SEMICOLON)
+            return;
+    }
+}
+
+/* What stands where the ';' should. */
+static bool declare_unended(struct parser *p, const struct value *value)
+{
+    struct span end = declare_end(p);
+    enum token_kind kind = stream_peek_infix(p)->kind;
+    bool subscript = kind == TOKEN_LBRACKET, closes = kind == TOKEN_RPAREN;
+    if (subscript)
+        error_expected(p, "';'");
+    if (closes)
+        error_at(p, p->token_span, NULL, "this ')' closes nothing");
+    if (subscript || closes || mistaken_number(p) || mistaken_comma(p, end)) {
+        declare_skip(p);
+        return false;
+    }
+    error_at(p, end, ";", "a declaration of %s must end with ';'",
+             value_kind_name(value->kind));
+    note_comment(p, end);
+    return false;
+}
+
 /* A #declare of a number needs a ';': without it POV-Ray could not tell where
  * the expression ends. Before version 3.5 its lack was a warning. One more may
  * follow, wherever the text goes on: `#declare A = M();` with a M that ends in
@@ -108,9 +160,7 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
     }
     if (!needed || (p->version_said && p->version < 3.5))
         return true;
-    return error_at(p, declare_end(p), ";",
-                    "a declaration of %s must end with ';'",
-                    value_kind_name(value->kind));
+    return declare_unended(p, value);
 }
 
 /* What is declared gets a value in any case, so that its uses are not
@@ -129,6 +179,18 @@ static bool declare_value(struct parser *p, const struct word *name,
     return p->diag->errors == errors;
 }
 
+/* For `A[3] = ...` of no array: one with nearly that name or, as no such value
+ * was declared, the declaration that comes first. */
+static const char *declare_no_array(struct parser *p,
+                                    const struct symbol *symbol,
+                                    const struct word *name)
+{
+    const char *near = symbol ? NULL : symbol_nearest(p, name->text);
+    if (symbol || near)
+        return near;
+    return arena_printf(p->arena, "#declare %s = array[10]; ...", name->text);
+}
+
 /* Where the value goes: an element's place or, slot NULL, the name itself. */
 static bool declare_place(struct parser *p, struct declaration *head)
 {
@@ -141,17 +203,22 @@ static bool declare_place(struct parser *p, struct declaration *head)
     if (symbol && symbol->value.kind == VALUE_POISON)
         return false;
     if (!symbol || symbol->value.kind != VALUE_ARRAY)
-        return error_at(p, p->last_span,
-                        symbol ? NULL : symbol_nearest(p, name->text),
+        return error_at(p, p->last_span, declare_no_array(p, symbol, name),
                         "'%s' is not an array", name->text);
     p->changes++;
-    return array_element(p, symbol->value.array, &head->slot);
+    return array_place(p, symbol->value.array, &head->slot, &head->array);
 }
 
-/* `i++`, `i += 2`, `i : 2` and `f(x) = ...`, as other languages have it. */
+/* `i++`, `i += 2`, `i : 2` and `f(x) = ...`, as other languages have it, and a
+ * value without the '='. */
 static const char *declare_counted(struct parser *p, const struct word *name)
 {
-    enum token_kind kind = stream_peek_infix(p)->kind;
+    const struct token *token = stream_peek_infix(p);
+    enum token_kind kind = token->kind;
+    if (kind == TOKEN_NUMBER || kind == TOKEN_STRING || kind == TOKEN_LESS ||
+        (kind == TOKEN_WORD && token->word->reserved))
+        return arena_printf(p->arena, "= %.*s", (int)p->token_span.length,
+                            p->token_span.source->text + p->token_span.offset);
     if (kind == TOKEN_COLON)
         return "=";
     if (kind == TOKEN_LPAREN)
@@ -176,19 +243,6 @@ static bool declare_head(struct parser *p, struct declaration *head)
 {
     return declare_deprecation(p, head) && declare_name(p, &head->name) &&
            declare_place(p, head) && declare_equal(p, head->name);
-}
-
-/* Behind a declaration whose head is wrong: its ';' or the next directive. */
-static void declare_skip(struct parser *p)
-{
-    for (;;) {
-        enum token_kind kind = stream_peek_infix(p)->kind;
-        if (kind == TOKEN_END)
-            return;
-        stream_next(p);
-        if (kind == TOKEN_SEMICOLON)
-            return;
-    }
 }
 
 static void declare_tell(struct parser *p, const struct declaration *head,
@@ -229,8 +283,10 @@ static bool declare_read(struct parser *p, bool local)
     bool ok = declare_value(p, head.name, &value);
     if (p->failed)
         return false;
+    if (head.slot && !array_takes(p, head.array, head.span, &value))
+        ok = false;
     if (head.slot) {
-        *head.slot = value;
+        *head.slot = ok ? value : value_poison();
     } else {
         struct symbol *symbol = symbol_make_in(p, scope, head.name, local);
         symbol_give(p, symbol, &value);
@@ -240,6 +296,11 @@ static bool declare_read(struct parser *p, bool local)
     }
     if (ok)
         return declare_semicolon(p, &value);
+    const struct token *token = stream_peek_infix(p);
+    if (token->kind == TOKEN_LBRACKET || token->kind == TOKEN_LBRACE)
+        skip_brackets(p);
+    else if (token->kind == TOKEN_WORD && token->word->keyword == KEYWORD_IF)
+        declare_skip(p);
     if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
         stream_next(p); /* it belongs to what was wrong */
     return false;

@@ -1,6 +1,116 @@
 /* #while #for #break #end: text read again and again. */
+#include "base/text.h"
 #include "parse/directive.h"
+#include "parse/function.h"
 #include "parse/symbol.h"
+
+enum {
+    WHILE_LOOKED = 997, /* rounds from one look at the condition to the next */
+    WHILE_PATIENCE = 1000000, /* rounds in which it may ask for the same */
+};
+
+/* Whether what is in the loop, which the cursor is at the beginning of, can end
+ * it: by a #break, or as it declares the `variable` (NULL: none) of a #for. */
+static bool loop_may_leave(const struct parser *p, const struct word *variable)
+{
+    const struct cursor *cursor = p->cursor;
+    const struct token *tokens = cursor->list->tokens;
+    unsigned depth = 0;
+    for (size_t i = cursor->index; i < cursor->end; i++) {
+        enum keyword keyword = tokens[i].kind == TOKEN_DIRECTIVE
+                                   ? tokens[i].word->keyword
+                                   : KEYWORD_NONE;
+        if (keyword == KEYWORD_BREAK || keyword == KEYWORD_INCLUDE)
+            return true;
+        if (variable && tokens[i].kind == TOKEN_WORD &&
+            tokens[i].word == variable && tokens[i - 1].kind == TOKEN_DIRECTIVE)
+            return true;
+        if (stream_block_opens(keyword))
+            depth++;
+        else if (keyword == KEYWORD_END && depth-- == 0)
+            return false;
+    }
+    return true;
+}
+
+/* A hash of what the condition, which was just read, asks for; false: of more
+ * than numbers and strings that have names. */
+static bool while_asked(struct parser *p, const struct open_block *block,
+                        unsigned long *hash)
+{
+    const struct cursor *cursor = p->cursor;
+    *hash = 0;
+    for (size_t i = block->condition; i < cursor->index; i++) {
+        const struct token *token = &cursor->list->tokens[i];
+        if (token->kind == TOKEN_DIRECTIVE)
+            return false;
+        if (token->kind != TOKEN_WORD)
+            continue;
+        if (token->word->reserved && function_is(token->word->keyword))
+            return false;
+        if (token->word->reserved)
+            continue;
+        const struct value *value = symbol_find(p, token->word);
+        if (!value || value->kind < VALUE_FLOAT || value->kind > VALUE_STRING)
+            return false;
+        size_t size = value->kind == VALUE_FLOAT    ? sizeof *value->number
+                      : value->kind == VALUE_STRING ? strlen(value->text)
+                                                    : sizeof value->number;
+        const char *bytes = value->kind == VALUE_STRING
+                                ? value->text
+                                : (const char *)value->number;
+        *hash = *hash * 31 + text_hash(bytes, size);
+    }
+    return true;
+}
+
+/* How far from its end the condition, which was just read, says that the loop
+ * is: of `(I < 10)` and its like; else 0. */
+static double while_distance(struct parser *p, const struct open_block *block)
+{
+    enum { TOKENS = 5 }; /* with the parentheses */
+    const struct cursor *cursor = p->cursor;
+    const struct token *condition = cursor->list->tokens + block->condition;
+    double sides[2];
+    if (cursor->index - block->condition != TOKENS)
+        return 0;
+    for (int i = 0; i < 2; i++) {
+        const struct token *side = &condition[1 + 2 * i];
+        const struct value *value =
+            side->kind == TOKEN_WORD ? symbol_find(p, side->word) : NULL;
+        if (side->kind != TOKEN_NUMBER &&
+            (!value || value->kind != VALUE_FLOAT))
+            return 0;
+        sides[i] = value ? value->number[0] : side->number;
+    }
+    enum token_kind kind = condition[2].kind;
+    bool less = kind == TOKEN_LESS || kind == TOKEN_LESS_EQUAL;
+    bool more = kind == TOKEN_GREATER || kind == TOKEN_GREATER_EQUAL;
+    return less ? sides[1] - sides[0] : more ? sides[0] - sides[1] : 0;
+}
+
+/* Whether the condition of a #while, which was just read and holds, has asked
+ * for the same, or led away from the end, for so long that it never ends. */
+static bool while_goes_on(struct parser *p, struct open_block *block)
+{
+    unsigned long asked;
+    if (block->rounds % WHILE_LOOKED != 0)
+        return false;
+    bool still = while_asked(p, block, &asked) && asked == block->asked;
+    double distance = while_distance(p, block);
+    bool away = distance > block->value && block->value > 0;
+    block->same = still || away ? block->same + 1 : 0;
+    block->asked = asked;
+    block->value = distance;
+    if (block->same < WHILE_PATIENCE / WHILE_LOOKED || loop_may_leave(p, NULL))
+        return false;
+    error_at(p, block->span, NULL, "this '#while' never ends: in %d rounds %s",
+             WHILE_PATIENCE,
+             still ? "nothing has changed that its condition asks for"
+                   : "its condition has only led away from the end");
+    stream_abort(p);
+    return true;
+}
 
 /* Whether the loop may begin another round. A #while whose last round changed
  * no identifier will never end. */
@@ -35,7 +145,9 @@ static bool while_round(struct parser *p)
     double condition;
     if (!directive_float(p, &condition))
         return directive_skip_to_end(p) && false;
-    return condition != 0 || directive_skip_to_end(p);
+    if (condition == 0)
+        return directive_skip_to_end(p);
+    return !while_goes_on(p, directive_block(p));
 }
 
 /* while_directive = "#while" "(" condition ")" . */
@@ -50,7 +162,7 @@ static bool for_comma(struct parser *p, const struct open_block *block)
 {
     return accept(p, TOKEN_COMMA) ||
            error_expected_hint(p, "','",
-                               arena_printf(p->arena, "#for (%s, 0, 9)",
+                               arena_printf(p->arena, "#for (%s, 0, 9) ...",
                                             block->variable->text));
 }
 
@@ -71,13 +183,15 @@ static bool for_head(struct parser *p, struct open_block *block)
 {
     struct span open = stream_span(p);
     if (!accept(p, TOKEN_LPAREN))
-        return error_expected_hint(p, "'('", "#for (i, 0, 9)");
+        return error_expected_hint(p, "'('", "#for (i, 0, 9) ...");
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_WORD && token->word->reserved)
-        return error_at(p, p->token_span, NULL,
-                        "'%s' is a reserved word; name the loop's variable "
-                        "otherwise",
-                        token->word->text);
+        return error_at(
+            p, p->token_span,
+            token->word->keyword == KEYWORD_INT ? "#for (i, 0, 9) ..." : NULL,
+            "'%s' is a reserved word; name the loop's variable "
+            "otherwise",
+            token->word->text);
     if (token->kind != TOKEN_WORD)
         return error_expected(p, "the name of the loop's variable");
     block->variable = stream_next(p).word;
@@ -104,6 +218,20 @@ static bool for_round(struct parser *p)
     return loop_round(p, block);
 }
 
+/* Whether it has more rounds than a loop may have, as is known before. */
+static bool for_too_long(struct parser *p, const struct open_block *block)
+{
+    double rounds = floor((block->last - block->value) / block->step) + 1;
+    unsigned limit = stream_round_limit(p);
+    if (!(rounds > limit) || loop_may_leave(p, block->variable))
+        return false;
+    error_at(p, block->span, NULL,
+             "this loop would take %s rounds, and glim's limit is %u",
+             NUMBER_TEXT(rounds), limit);
+    stream_abort(p);
+    return true;
+}
+
 /* for_directive = "#for" for_head . */
 static bool for_run(struct parser *p, struct span at)
 {
@@ -115,7 +243,7 @@ static bool for_run(struct parser *p, struct span at)
     directive_block(p)->condition = p->cursor->index;
     if (!ok)
         return directive_skip_to_end(p) && false;
-    return for_round(p);
+    return !for_too_long(p, &head) && for_round(p);
 }
 
 /* The variable may have been changed in the loop: POV-Ray goes on from its

@@ -1,0 +1,5 @@
+#ifdef (Never)
+  Write(points", 5)
+#end
+sphere { 0, 1 }
+#declare S = "text";
