@@ -211,7 +211,9 @@ enum {
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 120000,  /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
-    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth] */
+    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
+    NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
+                           * enough [a meadow] */
     LONE_PLACES = 4,      /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,     /* likewise, of what they were told */
     PIXEL_SLOTS = 16,     /* both are kept for so many that were last refined */
