@@ -111,10 +111,13 @@ static const double obstacle_plane = 0.03; /* flat within that share */
 static const double obstacle_hides = 1.25; /* of the way to what stands on all
                                             * sides of it: a ray nearly always
                                             * meets it as well */
-static const double asking_reach = 2.1;    /* nothing farther asks, spacings */
-static const double alike_amounts = 3; /* of light, a factor: no matter which
-                                        * points see the place */
-static const double level_blend = 0.5; /* of a level, then the next begins */
+/* Of the 26 directions of a point: what stands in so many may be what the point
+ * is in [a cylinder on a floor]. */
+enum { OBSTACLES_ENCLOSE = 22 };
+static const double asking_reach = 2.1; /* nothing farther asks, spacings */
+static const double alike_amounts = 3;  /* of light, a factor: no matter which
+                                         * points see the place */
+static const double level_blend = 0.5;  /* of a level, then the next begins */
 
 /* Few lamps under `shadows soft` and `sharp` [hall]. */
 enum { AGREEING_POINTS = 3 };           /* fewer don't decide what is sharp */
