@@ -86,10 +86,14 @@ bool corner_sees(const struct corner *corner, const struct indirect_mesh *mesh,
                                                 .spread = gather_spread });
 }
 
-/* No less than nothing. */
+/* What a side gets that is turned a little. Where the corner gets less than its
+ * light by direction says, as under a ball that lies on a floor, what hides it
+ * from that hides as much of what the turn brings or takes: all of it taken
+ * would leave black spots there. No less than nothing. */
 static double turned_by(double share, double here, double turned)
 {
-    return fmax(share + turned - here, 0);
+    double seen = here > 0 ? fmin(share / here, 1) : 1;
+    return fmax(share + seen * (turned - here), 0);
 }
 
 struct indirect_share corner_share(const struct corner *corner,

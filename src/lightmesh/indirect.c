@@ -32,6 +32,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         mesh->bright = options->bright;
     mesh->near = near_ways_new(options->near);
     mesh->near_lone = near_ways_new(options->near_lone);
+    mesh->near_more = near_ways_new(options->near_more);
     mesh->near_onwards = near_onwards_new(&mesh->gather, options->near);
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
@@ -99,6 +100,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         way_cells_free(&mesh->cells);
         near_ways_free(&mesh->near);
         near_ways_free(&mesh->near_lone);
+        near_ways_free(&mesh->near_more);
         onwards_free(&mesh->near_onwards);
         onwards_free(&mesh->onwards);
         memory_free(mesh);

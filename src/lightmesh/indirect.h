@@ -26,17 +26,18 @@ struct indirect_options {
     struct lattice_view view;     /* of gather rays */
     struct refinement refinement; /* likewise */
     const struct interpolation *interpolation;
-    double radius;       /* of interpolation, in spacings; 0: its own */
-    int bounces;         /* 1..BOUNCES_MAX */
-    int samples;         /* gather rays of a mesh point */
-    double edge;         /* what two of them that are side by side bring may
-                          * differ by so many times what one does in the mean
-                          * before others look between them; 0: none do */
-    int near, near_lone; /* rays to what is close to a corner of many pixels,
-                          * and to a place that is seen alone */
-    const struct bright *bright; /* where most light comes from; NULL: nobody
-                                  * looked */
-    size_t bytes;                /* of memory, all bounces together */
+    double radius; /* of interpolation, in spacings; 0: its own */
+    int bounces;   /* 1..BOUNCES_MAX */
+    int samples;   /* gather rays of a mesh point */
+    double edge;   /* what two of them that are side by side bring may
+                    * differ by so many times what one does in the mean
+                    * before others look between them; 0: none do */
+    int near, near_lone, near_more; /* rays to what is close to a corner of many
+                                     * pixels, to a place that is seen alone,
+                                     * and to more of these in a pixel */
+    const struct bright *bright;    /* where most light comes from; NULL: nobody
+                                     * looked */
+    size_t bytes;                   /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
@@ -55,9 +56,10 @@ struct indirect_mesh {
     struct gather_ways ways;
     double edge; /* as of its options */
     struct way_cells cells;
-    struct onwards onwards;           /* of its gather rays */
-    struct near_ways near, near_lone; /* of near rays, as of its options */
-    struct onwards near_onwards;      /* likewise */
+    struct onwards onwards;                      /* of its gather rays */
+    struct near_ways near, near_lone, near_more; /* of near rays, as of its
+                                                  * options */
+    struct onwards near_onwards;                 /* likewise */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */

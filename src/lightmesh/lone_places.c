@@ -55,11 +55,13 @@ bool lone_places_light(const struct lone_places *places, struct worker *worker,
                           corner_serves(&lone->at[i].corner, receiver)))
         i++;
     if (i == known) {
+        const struct near_ways *ways = lone->count == 0
+                                           ? &places->mesh->near_lone
+                                           : &places->mesh->near_more;
         i = lone->count++ % LONE_PLACES;
         lone->at[i].coarser = coarser;
         corner_here(&lone->at[i].corner, places->mesh, receiver);
-        corner_ask(&lone->at[i].light, places->mesh, worker, receiver,
-                   &places->mesh->near_lone);
+        corner_ask(&lone->at[i].light, places->mesh, worker, receiver, ways);
     }
     *share = corner_share(&lone->at[i].corner, &lone->at[i].light, receiver);
     return true;

@@ -155,15 +155,16 @@ static double share_deep(double met)
 
 /* A packet from number `first` on. Where a few rays all meet something they
  * don't tell whether any light gets in, which would be seen as steps and as
- * black spots under balls: there as many are sent as from a corner. Returns how
- * many meet something. */
+ * black spots under balls: there as many are sent as from a corner; of more
+ * places of a pixel the first has told. Returns how many meet something. */
 static unsigned nearby_send(struct nearby *nearby, int first,
                             struct gather_rays *sent)
 {
     const struct near_ways *most = &nearby->mesh->near;
     nearby_trace(nearby, first, sent);
     unsigned met = nearby_met(sent);
-    if (first > 0 || nearby->ways->count >= most->count || met < sent->count)
+    if (first > 0 || nearby->ways->count >= most->count || met < sent->count ||
+        nearby->ways->count < nearby->mesh->near_lone.count)
         return met;
     nearby->ways = most;
     nearby_trace(nearby, first, sent);

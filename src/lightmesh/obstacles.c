@@ -56,7 +56,8 @@ static double obstacle_near(const struct obstacles *obstacles, const int way[3])
 }
 
 /* Whether what stands in a direction leaves the way to the place free: it is
- * that place's own plane, or behind it, or farther than the place is. */
+ * that place's own plane, or behind it, or farther than the place is. To a
+ * point inside of what lies on a floor its wall is nearly that plane. */
 static bool obstacle_spares(double near, const int way[3],
                             const struct obstacle_view *view)
 {
@@ -80,6 +81,15 @@ static void obstacle_order(const double size[3], int order[3])
     order[0] = most;
     order[1] = swapped ? least : middle;
     order[2] = swapped ? middle : least;
+}
+
+/* Whether something stands nearly all around: the point may be inside of it. */
+static bool obstacles_enclose(const struct obstacles *obstacles)
+{
+    int met = 0;
+    for (int i = 0; i < OBSTACLE_DIRECTIONS; i++)
+        met += obstacles->near[i] > 0;
+    return met >= OBSTACLES_ENCLOSE;
 }
 
 /* 1/d of the place's plane in the direction w is w plane. The offset lies
@@ -107,7 +117,9 @@ enum sight obstacles_sight(const struct obstacles *obstacles, vec3 offset,
         clear = clear && spares;
         hidden = hidden && !spares && near * view.length > obstacle_hides;
     }
-    return clear ? SIGHT_CLEAR : hidden ? SIGHT_HIDDEN : SIGHT_UNSURE;
+    if (clear && !obstacles_enclose(obstacles))
+        return SIGHT_CLEAR;
+    return hidden && !clear ? SIGHT_HIDDEN : SIGHT_UNSURE;
 }
 
 /* 1/d times the length of the offset that this is in axes. */

@@ -93,6 +93,34 @@ gathered_hit(const struct ray *ray, const struct gathered_ray *found, rgb light)
     return hit;
 }
 
+/* Whether nothing of any light comes back from there, as from the night sky
+ * that some hang around their planets. What is painted black is a wall still.
+ */
+static bool gathered_lost(const struct sums *sums, const struct ray *ray,
+                          const struct gathered_ray *found)
+{
+    struct surface surface;
+    if (!found->at.leaf || rgb_peak(found->light) > 0)
+        return false;
+    gather_surface(sums->gather, ray, &found->at, &surface);
+    for (int i = 0; i < surface.count; i++) {
+        const struct finish *finish = surface.layer[i].finish;
+        if (finish->diffuse > 0 || finish->diffuse_back > 0 ||
+            rgb_peak(surface.layer[i].reflection) > 0)
+            return false;
+    }
+    return rgb_peak(surface_passed(&surface)) == 0;
+}
+
+/* How much of it goes no further: it leaves the scene, glows, or is lost. */
+static double gathered_ends(const struct sums *sums, const struct ray *ray,
+                            const struct gathered_ray *found)
+{
+    return rgb_peak(found->glow) > 0 || gathered_lost(sums, ray, found)
+               ? 1
+               : fmin(found->open, 1);
+}
+
 /* What comes through from the far side of leaves, by a ray that is mirrored. */
 static void sight_add_behind(const struct sight *sight, const struct sums *sums,
                              struct worker *worker, struct ray ray,
@@ -125,6 +153,7 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct ray ray = { sight->surface.point,
                            warp_lobe(u, sight->surface.side, 1) };
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
+        sums->ends += gathered_ends(sums, &ray, &found);
         sums->hits[first + (size_t)i] =
             gathered_hit(&ray, &found, gathered_rest(sums->gather, &found));
         sight_add_behind(sight, sums, worker, ray, &draws, &found);
@@ -139,7 +168,6 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
                    ambient * (1 - fmin(found.open, 1));
         sums->light = rgb_add(sums->light, found.light);
         sums->open += fmin(found.open, 1);
-        sums->ends += rgb_peak(found.glow) > 0 ? 1 : fmin(found.open, 1);
     }
     double mean = brought / sums->each;
     double shown = fmax(sight->shown, 0) + mean + survey_dark;

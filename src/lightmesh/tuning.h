@@ -111,10 +111,13 @@ static const double obstacle_plane = 0.03; /* flat within that share */
 static const double obstacle_hides = 1.25; /* of the way to what stands on all
                                             * sides of it: a ray nearly always
                                             * meets it as well */
-static const double asking_reach = 2.1;    /* nothing farther asks, spacings */
-static const double alike_amounts = 3; /* of light, a factor: no matter which
-                                        * points see the place */
-static const double level_blend = 0.5; /* of a level, then the next begins */
+/* Of the 26 directions of a point: what stands in so many may be what the point
+ * is in [a cylinder on a floor]. */
+enum { OBSTACLES_ENCLOSE = 22 };
+static const double asking_reach = 2.1; /* nothing farther asks, spacings */
+static const double alike_amounts = 3;  /* of light, a factor: no matter which
+                                         * points see the place */
+static const double level_blend = 0.5;  /* of a level, then the next begins */
 
 /* Few lamps under `shadows soft` and `sharp` [hall]. */
 enum { AGREEING_POINTS = 3 };           /* fewer don't decide what is sharp */
@@ -211,7 +214,9 @@ enum {
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
     CLOSE_RAYS = 120000,  /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
-    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth] */
+    NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
+    NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
+                           * enough [a meadow] */
     LONE_PLACES = 4,      /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,     /* likewise, of what they were told */
     PIXEL_SLOTS = 16,     /* both are kept for so many that were last refined */

@@ -12,6 +12,11 @@ struct place {
     bool valid;
 };
 
+/* Measured: a place that is short of the edge of a pixel by less than that, in
+ * pixels, is in the next one. So the sides of a box, on which rounding decides
+ * which side of the picture's edge a point is, have one colour. */
+static const double edge_share = 1e-10;
+
 static double fraction(double x)
 {
     double t = x - floor(x);
@@ -200,13 +205,26 @@ static colour image_at(const struct image_map *map, double x, double y)
                      c.transmit };
 }
 
+/* Into pixels, which are from 0 up to their number. What is beyond the edge is
+ * in another period: not on a map used once (measured). */
+static bool image_along(const struct image_map *map, int pixels, double *share)
+{
+    *share = *share * pixels + edge_share;
+    if (*share < pixels)
+        return true;
+    *share -= pixels;
+    return !map->once;
+}
+
 colour image_map_colour(const struct image_map *map, vec3 point)
 {
     const struct image *image = map->image;
     struct place place = image_place(map, point);
-    if (!place.valid || !image || image->width < 1 || image->height < 1)
+    if (!place.valid || !image || image->width < 1 || image->height < 1 ||
+        !image_along(map, image->width, &place.u) ||
+        !image_along(map, image->height, &place.v))
         return (colour){ 1, 1, 1, 0, 1 };
-    return image_at(map, place.u * image->width, place.v * image->height);
+    return image_at(map, place.u, place.v);
 }
 
 static double image_grey(const struct image_map *map, double x, double y)
