@@ -206,23 +206,28 @@ static colour image_at(const struct image_map *map, double x, double y)
 }
 
 /* Into pixels, which are from 0 up to their number. What is beyond the edge is
- * in another period: not on a map used once (measured). */
-static bool image_along(const struct image_map *map, int pixels, double *share)
+ * in another period, unless it is at a pole: not on a map used once (measured).
+ */
+static bool image_along(const struct image_map *map, int pixels, bool poles,
+                        double *share)
 {
-    *share = *share * pixels + edge_share;
-    if (*share < pixels)
-        return true;
-    *share -= pixels;
-    return !map->once;
+    double at = *share * pixels, next = at + edge_share;
+    bool beyond = next >= pixels;
+    if (beyond && poles)
+        *share = at;
+    else
+        *share = beyond ? next - pixels : next;
+    return !beyond || poles || !map->once;
 }
 
 colour image_map_colour(const struct image_map *map, vec3 point)
 {
     const struct image *image = map->image;
     struct place place = image_place(map, point);
+    bool poles = map->projection == IMAGE_SPHERICAL;
     if (!place.valid || !image || image->width < 1 || image->height < 1 ||
-        !image_along(map, image->width, &place.u) ||
-        !image_along(map, image->height, &place.v))
+        !image_along(map, image->width, false, &place.u) ||
+        !image_along(map, image->height, poles, &place.v))
         return (colour){ 1, 1, 1, 0, 1 };
     return image_at(map, place.u, place.v);
 }
