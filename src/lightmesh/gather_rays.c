@@ -2,7 +2,6 @@
 #include "lightmesh/gather_rays.h"
 
 #include "lightmesh/gather_lamps.h"
-#include "lightmesh/tuning.h"
 #include "scene/material.h"
 #include "shade/shadow.h"
 
