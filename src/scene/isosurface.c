@@ -283,7 +283,7 @@ static void isosurface_seek_many(const struct isosurface *s,
                                  const struct rays_span *span,
                                  struct asking asking, struct rays_met *met)
 {
-    struct seeker all[RAY_LANES], *seekers[RAY_LANES];
+    struct seeker all[RAY_LANES], *seekers[RAY_LANES] = { NULL };
     struct hit hit;
     int count = 0;
     for (int i = run.first; i < run.end; i++) {
