@@ -97,24 +97,15 @@ static struct box3 children_bounds(const struct object *object)
  * object_bounds tells, which is POV-Ray's and may be too small. */
 static struct box3 probe_bounds(const struct object *object)
 {
-    const struct primitive *primitive = object->primitive;
-    if (object->inverse)
-        return box3_infinite();
-    switch (object->kind) {
-    case OBJECT_SHAPE:
-        return primitive->beyond ? box3_infinite()
-                                 : affine_box(object->maps->own,
-                                              primitive->bounds(object->shape));
-    case OBJECT_MESH:
-        return affine_box(object->maps->own, object->mesh->bounds);
-    case OBJECT_LIGHT:
+    bool shape = object->kind == OBJECT_SHAPE;
+    if (object->kind == OBJECT_LIGHT)
         return box3_empty();
-    case OBJECT_UNION:
-    case OBJECT_MERGE:
-    case OBJECT_INTERSECTION:
-        break;
-    }
-    return affine_box(object->maps->own, children_bounds(object));
+    if (object->inverse || (shape && object->primitive->beyond))
+        return box3_infinite();
+    struct box3 box = shape ? object->primitive->bounds(object->shape)
+                      : object->kind == OBJECT_MESH ? object->mesh->bounds
+                                                    : children_bounds(object);
+    return affine_box(object->maps->own, box);
 }
 
 /* The children's boxes, those of lights being empty; false: one is endless. */
