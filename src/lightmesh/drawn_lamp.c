@@ -154,8 +154,7 @@ static void places_lamp(const struct lamps *lamps, struct worker *worker,
         unsigned i = (unsigned)__builtin_ctz(each);
         rgb share = found.left >> i & 1
                         ? lamps_share_point(lamps, lamp, worker, &targets[i])
-                    : found.tinted >> i & 1 ? found.share[i]
-                                            : rgb_grey(!(found.dark >> i & 1));
+                        : shadows_along(&found, i);
         places->light[i] =
             rgb_add(places->light[i], rgb_mul(of[i].light, share));
     }

@@ -225,9 +225,7 @@ static void lamp_see_shaded(const struct lamp_question *q,
     for (; lanes; lanes &= lanes - 1) {
         unsigned i = (unsigned)__builtin_ctz(lanes);
         seen[i] = shadows.left >> i & 1 ? lamp_see_one(q, points, i)
-                  : shadows.tinted >> i & 1
-                      ? shadows.share[i]
-                      : rgb_grey(!(shadows.dark >> i & 1));
+                                        : shadows_along(&shadows, i);
     }
 }
 

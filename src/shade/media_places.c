@@ -66,9 +66,8 @@ static void sights_look(struct media_sights *sights, rgb shares[RAY_LANES])
     }
     for (unsigned each = sights->lit; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
-        shares[i] = found.left >> i & 1     ? sights_share(sights, i)
-                    : found.tinted >> i & 1 ? found.share[i]
-                                            : rgb_grey(!(found.dark >> i & 1));
+        shares[i] = found.left >> i & 1 ? sights_share(sights, i)
+                                        : shadows_along(&found, i);
     }
 }
 

@@ -51,6 +51,13 @@ struct shadows {
     rgb share[RAY_LANES]; /* of those that are tinted */
 };
 
+/* The share of light that gets along way number i, which isn't left. */
+static inline rgb shadows_along(const struct shadows *shadows, unsigned i)
+{
+    return shadows->tinted >> i & 1 ? shadows->share[i]
+                                    : rgb_grey(!(shadows->dark >> i & 1));
+}
+
 /* What else there is around several ways. */
 struct shadow_around {
     const struct interiors *const *inside; /* as of a path, for each */
