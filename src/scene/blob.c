@@ -313,6 +313,7 @@ const struct primitive blob_primitive = {
     .arguments = blob_fields,
     .items = blob_items,
     .solid = true,
+    .bounded = BOUNDS_IGNORED,
     .prepare = blob_prepare,
     .bounds = blob_bounds,
     .intersect = blob_intersect,

@@ -309,6 +309,7 @@ const struct primitive height_field_primitive = {
     .items = height_items,
     .solid = true,
     .beyond = true,
+    .bounded = BOUNDS_IGNORED,
     .prepare = height_prepare,
     .bounds = height_bounds,
     .intersect = height_intersect,

@@ -382,6 +382,7 @@ const struct primitive julia_fractal_primitive = {
     .arguments = julia_arguments,
     .items = julia_items,
     .solid = true,
+    .bounded = BOUNDS_IGNORED,
     .prepare = julia_prepare,
     .bounds = julia_bounds,
     .intersect = julia_intersect,

@@ -16,8 +16,8 @@
 
 /* What bounded_by does to a shape that is no part of CSG (measured). */
 enum primitive_bounds {
-    BOUNDS_IGNORED,  /* POV-Ray removes it: "unnecessary" */
     BOUNDS_AS_BOX,   /* a ray must meet the box around it */
+    BOUNDS_IGNORED,  /* as if it were not there */
     BOUNDS_AS_SHAPE, /* a ray must meet it */
 };
 

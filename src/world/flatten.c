@@ -425,8 +425,7 @@ static void add_limits(struct flat *flat, const struct object *object,
         build_limits(flat, object->more->bounds, object->more->bound_count, up);
     if (root && object->kind == OBJECT_SHAPE &&
         object->primitive->bounded == BOUNDS_AS_BOX) {
-        for (size_t i = 0; i < limits.count; i++)
-            solid_bound_by_box(flat->arena, solid, limits.items[i]);
+        solid_bound_by_box(flat->arena, solid, limits.items, limits.count);
     } else {
         struct solid_more *more = solid_more(flat->arena, solid);
         more->gates = limits.items;

@@ -174,31 +174,50 @@ static void keep_boxes(struct arena *arena, struct solid *solid)
         solid->holes = kept;
 }
 
-void solid_bound_by_box(struct arena *arena, struct solid *solid,
-                        const struct solid *bound)
+/* As POV-Ray sees it, to which nothing is larger than that (measured). */
+static double volume_of(struct box3 box)
 {
-    if (solid_surrounds(bound, solid->surface))
+    enum { SIDES = 3 };
+    const double most = 1e10;
+    const double low[SIDES] = { box.low.x, box.low.y, box.low.z };
+    const double high[SIDES] = { box.high.x, box.high.y, box.high.z };
+    double volume = 1;
+    for (int i = 0; i < SIDES; i++)
+        volume *= fmax(fmin(high[i], most) - fmax(low[i], -most), 0);
+    return volume;
+}
+
+void solid_bound_by_box(struct arena *arena, struct solid *solid,
+                        const struct solid *const *bounds, size_t count)
+{
+    struct box3 box = box3_infinite(), own = solid->surface;
+    for (size_t i = 0; i < solid->more->own_clips; i++)
+        own = box3_intersection(own, *solid->more->clips[i]->region);
+    for (size_t i = 0; i < count; i++)
+        if (!solid_surrounds(bounds[i], own))
+            box = box3_intersection(box, *bounds[i]->region);
+    if (!(volume_of(box) < volume_of(own)))
         return;
     keep_boxes(arena, solid);
-    solid->surface = box3_intersection(solid->surface, *bound->region);
+    solid->surface = box;
     solid->boxed = true;
 }
 
-/* Most gates are well around what they bound: those are forgotten. */
+/* Most gates are well around what they bound: those are forgotten. Others give
+ * a root that has no end a box to be found by. */
 static void drop_gates(struct arena *arena, struct solid *solid)
 {
     unsigned kept = 0;
     if (!solid->more->gate_count)
         return;
     struct solid_more *more = solid_more(arena, solid);
-    for (size_t i = 0; i < more->gate_count; i++) {
-        const struct solid *gate = more->gates[i];
-        if (solid_surrounds(gate, solid->surface))
-            continue;
-        more->gates[kept++] = gate;
-        solid_bound_by_box(arena, solid, gate);
-    }
+    for (size_t i = 0; i < more->gate_count; i++)
+        if (!solid_surrounds(more->gates[i], solid->surface))
+            more->gates[kept++] = more->gates[i];
     more->gate_count = kept;
+    for (unsigned i = 0; i < kept && !solid->parent; i++)
+        if (!box3_is_finite(solid->surface))
+            solid_bound_by_box(arena, solid, more->gates + i, 1);
 }
 
 static struct boxes measure_frame(struct arena *arena, struct solid *solid,
@@ -263,7 +282,8 @@ void solid_measure(struct arena *arena, struct solid *solid)
     drop_gates(arena, solid);
     solid_set_boxes(arena, solid, boxes.region, boxes.holes);
     solid->simple = solid->leaf && !solid->parent && !solid->more->frame &&
-                    !solid->more->clip_count && !solid->boxed;
+                    !solid->more->clip_count && !solid->more->gate_count &&
+                    !solid->boxed;
     find_routines(solid);
 }
 

@@ -335,7 +335,9 @@ static struct space space_of(const struct tree_look *look,
                            .leave = query->tmax };
     space.slabs.origin = space.ray.origin;
     space.slabs.inverse = lane_get(look->inverse, i);
-    slabs_clip(&query->slabs, &look->root->surface, &space.enter, &space.leave);
+    if (!look->root->boxed)
+        slabs_clip(&query->slabs, &look->root->surface, &space.enter,
+                   &space.leave);
     return space;
 }
 
@@ -354,7 +356,8 @@ static void crossings_span(const struct tree_look *look,
             const struct space space = space_of(look, query, i);
             enter = greater(enter, space.enter);
             leave = lesser(leave, space.leave);
-            slabs_clip(&space.slabs, &solid->surface, &enter, &leave);
+            if (!solid->boxed)
+                slabs_clip(&space.slabs, &solid->surface, &enter, &leave);
         }
         span->near[i] = enter;
         span->far[i] = leave;

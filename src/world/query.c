@@ -143,7 +143,8 @@ static bool take_next(void *context, const struct hit *hit)
 }
 
 /* Of a shape that tells them one by one; `inner` is the ray in its space. Of a
- * part, crossings outside its box and the tree's don't count. */
+ * part, crossings outside its box and the tree's don't count, if these are
+ * boxes of the surface. */
 static bool query_crossings(struct query *query, const struct solid *solid,
                             const struct ray *ray, const struct ray *inner,
                             const struct space *space)
@@ -154,7 +155,8 @@ static bool query_crossings(struct query *query, const struct solid *solid,
     if (space) {
         enter = greater(enter, space->enter);
         leave = lesser(leave, space->leave);
-        slabs_clip(&space->slabs, &solid->surface, &enter, &leave);
+        if (!solid->boxed)
+            slabs_clip(&space->slabs, &solid->surface, &enter, &leave);
     }
     object->primitive->crossings(solid->leaf->shape, inner, enter, leave,
                                  take_next, &context);
@@ -305,6 +307,10 @@ bool query_tree(struct query *query, const struct solid *solid)
         !query_gates_open(solid, &query->ray, &query->slabs))
         return false;
     struct space space = { query->ray, query->slabs, enter, leave };
+    if (solid->boxed) {
+        space.enter = query->tmin;
+        space.leave = query->tmax;
+    }
     if (solid->more->frame) {
         space.ray = ray_into(solid->more->frame->inward, &query->ray);
         space.slabs = slabs_of(&space.ray);

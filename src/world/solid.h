@@ -120,7 +120,8 @@ struct solid {
     enum object_kind kind; /* shape, mesh, union, merge or intersection */
     unsigned child_count;
     bool simple;   /* a leaf without parent, frame, clips and bounds */
-    bool boxed;    /* rays must meet the box of the surface */
+    bool boxed;    /* rays must meet the box that `surface` is then, though
+                    * crossings outside of it count, too */
     bool moved;    /* to_shape is not the identity */
     bool together; /* most leaves are asked by rays side by side */
     /* A shape that has such a routine, or one that tells all: kept at hand. */
@@ -187,10 +188,12 @@ bool solid_counts(const struct solid *leaf, vec3 inner, vec3 outer);
  * `region` and `holes` of the shape alone must be there. */
 void solid_measure(struct arena *arena, struct solid *solid);
 
-/* From now on rays must meet the box around `bound` to meet the solid, a leaf.
+/* From now on rays must meet the box around all bounds to meet the solid, but
+ * meet it outside of that box too, as in POV-Ray; unless its own box is
+ * smaller.
  */
 void solid_bound_by_box(struct arena *arena, struct solid *solid,
-                        const struct solid *bound);
+                        const struct solid *const *bounds, size_t count);
 
 /* The box a little larger, so that rounding loses nothing. */
 struct box3 solid_padded(struct box3 box);

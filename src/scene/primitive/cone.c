@@ -45,7 +45,6 @@ const struct primitive cone_primitive = {
     .arguments = cone_arguments,
     .items = cone_items,
     .solid = true,
-    .bounded = BOUNDS_AS_BOX,
     .prepare = cone_prepare,
     .bounds = conic_bounds,
     .told = conic_told,

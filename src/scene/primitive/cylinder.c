@@ -34,7 +34,6 @@ const struct primitive cylinder_primitive = {
     .arguments = cylinder_arguments,
     .items = cylinder_items,
     .solid = true,
-    .bounded = BOUNDS_AS_BOX,
     .convex = true,
     .prepare = cylinder_prepare,
     .bounds = conic_bounds,

@@ -106,6 +106,7 @@ const struct primitive disc_primitive = {
     .arguments = disc_arguments,
     .solid = true,
     .beyond = true,
+    .bounded = BOUNDS_IGNORED,
     .prepare = disc_prepare,
     .bounds = disc_bounds,
     .intersect = disc_intersect,

@@ -186,7 +186,6 @@ const struct primitive plane_primitive = {
     .size = sizeof(struct plane),
     .arguments = plane_arguments,
     .solid = true,
-    .bounded = BOUNDS_AS_BOX,
     .convex = true,
     .prepare = plane_prepare,
     .bounds = plane_bounds,

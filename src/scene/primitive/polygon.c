@@ -231,6 +231,7 @@ const struct primitive polygon_primitive = {
     .help = "a flat shape with straight edges",
     .size = sizeof(struct polygon),
     .arguments = polygon_arguments,
+    .bounded = BOUNDS_IGNORED,
     .prepare = polygon_prepare,
     .bounds = polygon_bounds,
     .intersect = polygon_intersect,

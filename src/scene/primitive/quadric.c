@@ -389,7 +389,6 @@ const struct primitive quadric_primitive = {
     .size = sizeof(struct quadric),
     .arguments = quadric_arguments,
     .solid = true,
-    .bounded = BOUNDS_AS_BOX,
     .prepare = quadric_prepare,
     .bounds = quadric_bounds,
     .move = quadric_move,

@@ -306,7 +306,6 @@ const struct primitive torus_primitive = {
     .arguments = torus_arguments,
     .items = torus_items,
     .solid = true,
-    .bounded = BOUNDS_AS_BOX,
     .prepare = torus_prepare,
     .bounds = torus_bounds,
     .intersect = torus_intersect,
