@@ -74,12 +74,15 @@ static void command_run(void *context)
 
 /* Lets this thread's stack grow as large as those of others, if the system
  * does: one that only waited for another would want to run now and then, and
- * make gave no token for it (base/jobserver.h). */
+ * make gave no token for it (base/jobserver.h). Where memory has a limit
+ * nothing keeps room for it to grow. */
 static bool stack_grows(void)
 {
     struct rlimit limit;
     const rlim_t wanted = PARALLEL_STACK + ARGUMENTS_MOST;
-    if (getrlimit(RLIMIT_STACK, &limit) != 0)
+    if ((getrlimit(RLIMIT_AS, &limit) == 0 &&
+         limit.rlim_cur != RLIM_INFINITY) ||
+        getrlimit(RLIMIT_STACK, &limit) != 0)
         return false;
     if (limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < wanted)
         limit.rlim_cur = wanted;

@@ -129,7 +129,7 @@ enum { UNFINISHED_MOST = 64 }; /* at once; of more nothing is known */
 /* Their names. Who takes one out of here has it to himself. */
 static _Atomic(char *) unfinished[UNFINISHED_MOST];
 
-/* At the end of a program that ran out of memory: see memory.h. */
+/* At the end of a program that ran out of memory: see memory.h, library.h. */
 static void unfinished_remove(void)
 {
     for (int i = 0; i < UNFINISHED_MOST; i++) {
@@ -142,8 +142,10 @@ static void unfinished_remove(void)
 static void unfinished_add(char *name)
 {
     static atomic_flag registered = ATOMIC_FLAG_INIT;
-    if (!atomic_flag_test_and_set(&registered))
+    if (!atomic_flag_test_and_set(&registered)) {
         atexit(unfinished_remove);
+        at_quick_exit(unfinished_remove);
+    }
     for (int i = 0; i < UNFINISHED_MOST; i++) {
         char *none = NULL;
         if (atomic_compare_exchange_strong(&unfinished[i], &none, name))

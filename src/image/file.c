@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/library.h"
 #include "base/memory.h"
 #include "base/save.h"
 #include "image/codec.h"
@@ -28,7 +29,7 @@ static const char *const places[] = { "/", "/../lib/glim/", "/../../" };
 #define NO_MODULE                                                              \
     "files of this kind need glim's module glim-image.so, which 'make' "       \
     "builds with OpenImageIO and which belongs in ../lib/glim seen from the "  \
-    "program (%s)"
+    "program (it is not there)"
 
 /* Whether it is there; its name, of PATH_MAX + 64 characters at most. */
 static bool file_find_module(char *name)
@@ -48,26 +49,32 @@ static bool file_find_module(char *name)
     return false;
 }
 
-/* The module, loaded, or NULL. It stays loaded; dlopen counts, and is quick
- * the second time. */
-static void *file_module(void)
+enum { MODULE_TAKES = 480 }; /* MB, most of them for libraries of OIIO's */
+
+/* The module, loaded, or NULL with the reason. */
+static void *file_module(char *error, size_t size)
 {
-    char name[PATH_MAX + 64];
-    file_find_module(name);
-    return dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+    char name[PATH_MAX + 64], why[200];
+    if (!file_find_module(name)) {
+        snprintf(error, size, NO_MODULE);
+        return NULL;
+    }
+    void *module = library_open(name, MODULE_TAKES, why, sizeof why);
+    if (!module)
+        snprintf(error, size, "glim's module " MODULE " can't be loaded: %s",
+                 why);
+    return module;
 }
 
 /* A function of the module, or NULL with the reason. */
 static void *file_codec(const char *name, char *error, size_t size)
 {
-    void *module = file_module();
+    void *module = file_module(error, size);
     void *function = module ? dlsym(module, name) : NULL;
-    if (!function) {
-        snprintf(error, size, NO_MODULE, dlerror());
+    if (!module)
         return NULL;
-    }
     const size_t *layout = dlsym(module, "codec_layout");
-    if (layout && *layout == CODEC_LAYOUT)
+    if (function && layout && *layout == CODEC_LAYOUT)
         return function;
     snprintf(error, size,
              MODULE " belongs to another glim: type make, or make install, "
@@ -86,8 +93,9 @@ file_own_encoder(const struct image_format *format)
 
 void image_prepare(void *format)
 {
+    char error[256];
     if (!file_own_encoder(format))
-        file_module();
+        file_module(error, sizeof error);
 }
 
 bool image_can_write(const struct image_format *format, char *error,
@@ -96,7 +104,7 @@ bool image_can_write(const struct image_format *format, char *error,
     char name[PATH_MAX + 64];
     if (file_own_encoder(format) || file_find_module(name))
         return true;
-    snprintf(error, size, NO_MODULE, "it is not there");
+    snprintf(error, size, NO_MODULE);
     return false;
 }
 

@@ -17,6 +17,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <vector>
 
 using namespace OIIO;
@@ -345,6 +346,8 @@ extern "C" bool codec_encode(const struct image *image,
 {
     try {
         return codec_encode_checked(image, format, sink, error, size);
+    } catch (const std::bad_alloc &) {
+        return codec_fail(error, size, "out of memory");
     } catch (const std::exception &e) {
         return codec_fail(error, size, e.what());
     } catch (...) {
@@ -357,6 +360,8 @@ extern "C" bool codec_decode(const char *path, struct codec_target *target,
 {
     try {
         return codec_decode_checked(path, target, error, size);
+    } catch (const std::bad_alloc &) {
+        return codec_fail(error, size, "out of memory");
     } catch (const std::exception &e) {
         return codec_fail(error, size, e.what());
     } catch (...) {

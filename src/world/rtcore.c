@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/library.h"
 #include "base/parallel.h"
 
 #define TEXT_OF(number) #number
@@ -14,25 +15,20 @@ struct embree embree;
 
 static char failure[256]; /* empty: none */
 
-static void failed(void)
-{
-    const char *why = dlerror();
-    snprintf(failure, sizeof failure, "%s", why ? why : "not found");
-}
+enum { EMBREE_TAKES = 160 }; /* MB, without its scene */
 
 /* The library stays loaded. */
 static void load(void)
 {
-    void *library = dlopen(LIBRARY(GLIM_EMBREE), RTLD_LAZY | RTLD_LOCAL);
+    void *library = library_open(LIBRARY(GLIM_EMBREE), EMBREE_TAKES, failure,
+                                 sizeof failure);
     void *function;
-    if (!library) {
-        failed();
+    if (!library)
         return;
-    }
 #define X(name)                                                                \
     function = dlsym(library, "rtc" #name);                                    \
     if (!function)                                                             \
-        failed();                                                              \
+        snprintf(failure, sizeof failure, "it has no rtc" #name);              \
     memcpy(&embree.name, &function, sizeof function);
     EMBREE_FUNCTIONS(X)
 #undef X
