@@ -107,6 +107,19 @@ bool text_equal_nocase(const char *a, const char *b)
     return lower(*a) == lower(*b);
 }
 
+bool text_among(const char *word, const char *words)
+{
+    for (; *words; words += strspn(words, " ")) {
+        size_t length = strcspn(words, " "), i = 0;
+        while (i < length && lower(word[i]) == lower(words[i]))
+            i++;
+        if (i == length && !word[i])
+            return true;
+        words += length;
+    }
+    return false;
+}
+
 unsigned long long text_hash(const char *text, size_t length)
 {
     unsigned long long hash = 14695981039346656037ull;

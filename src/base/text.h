@@ -22,6 +22,10 @@ void text_nearest_try(struct text_nearest *nearest, const char *candidate);
 /* Case-insensitive equality of ASCII. */
 bool text_equal_nocase(const char *a, const char *b);
 
+/* Whether it is one of the words, which have a blank between them; case of
+ * ASCII ignored. */
+bool text_among(const char *word, const char *words);
+
 /* A number as people write it, up to 10 digits: 1000000 and 0.000001 rather
  * than 1e+06 and 1e-06; beyond 1e15 and below 1e-9 with an exponent. Returns
  * `text`. NUMBER_TEXT does it in the block it stands in. */

@@ -1,6 +1,7 @@
 /* Running directives, and the blocks they open: see directive.h. */
 #include "parse/directive.h"
 
+#include "base/text.h"
 #include "parse/mistaken.h"
 
 #define X(keyword, name) extern const struct directive name##_directive;
@@ -77,9 +78,7 @@ static bool directive_unknown(struct parser *p, const struct word *word,
         : meant ? arena_printf(p->arena, "#%s", keyword_spelling(meant))
                 : NULL;
     bool returns = strcmp(word->text, "return") == 0;
-    bool begins = strcmp(word->text, "begin") == 0 ||
-                  strcmp(word->text, "then") == 0 ||
-                  strcmp(word->text, "do") == 0;
+    bool begins = text_among(word->text, mistaken_fillers);
     if (begins)
         hint = NULL;
     error_at(p, at, hint, "there is no directive '#%s'%s", word->text,

@@ -27,14 +27,37 @@ bool macro_is_call(struct parser *p, const struct word *word)
     return value && value->kind == VALUE_MACRO;
 }
 
-/* `#macro A P, Q`: the brackets are forgotten. */
-static const char *macro_bracketed(struct parser *p)
+/* Where the names in other brackets end, as in `#macro A [P, Q]`; 0: nowhere.
+ */
+static size_t macro_other_brackets(const char *text)
+{
+    static const char names[] = "abcdefghijklmnopqrstuvwxyz"
+                                "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789, ";
+    if (!*text || !strchr("[{<", *text))
+        return 0;
+    size_t length = 1 + strspn(text + 1, names);
+    return text[length] && strchr("]}>", text[length]) ? length : 0;
+}
+
+/* `#macro A P, Q`: the brackets are forgotten; in `#macro AP, Q)` one, and no
+ * one knows where. */
+static bool macro_unbracketed(struct parser *p)
 {
     const struct token *token = stream_peek(p);
     size_t left;
     const struct token *after = stream_raw(p, &left);
+    struct span at = p->token_span;
+    const char *text = at.source->text + at.offset;
+    size_t other = macro_other_brackets(text);
+    if (other) {
+        at.length = (uint32_t)other + 1;
+        return error_at(
+            p, at, arena_printf(p->arena, "(%.*s)", (int)other - 1, text + 1),
+            "parameters of a macro stand in '(' and ')'");
+    }
     if (token->kind != TOKEN_WORD || token->word->reserved)
-        return "()";
+        return error_expected_hint(
+            p, "'('", token->kind == TOKEN_COMMA ? "NAME(A, B) ..." : "()");
     const char *names = token->word->text;
     for (size_t i = 0;
          i + 1 < left && i < 2 * MACRO_PARAMETER_LIMIT &&
@@ -42,7 +65,7 @@ static const char *macro_bracketed(struct parser *p)
          i += 2)
         names =
             arena_printf(p->arena, "%s, %s", names, after[i + 1].word->text);
-    return arena_printf(p->arena, "(%s)", names);
+    return error_expected_hint(p, "'('", arena_printf(p->arena, "(%s)", names));
 }
 
 /* Read as written: a parameter may have the name of another macro.
@@ -51,7 +74,7 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
 {
     struct span open = stream_span(p);
     if (!accept(p, TOKEN_LPAREN))
-        return error_expected_hint(p, "'('", macro_bracketed(p));
+        return macro_unbracketed(p);
     struct cursor *cursor = p->cursor;
     const struct token *tokens = cursor->list->tokens;
     while (tokens[cursor->index].kind == TOKEN_WORD) {

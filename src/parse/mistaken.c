@@ -10,150 +10,109 @@
 #include "parse/symbol.h"
 #include "token/lookalike.h"
 
+/* What stands in a certain block comes first, what may in any (NULL) last. */
 struct synonym {
-    const char *word, *block, *meant; /* block NULL: any */
+    const char *words, *block, *meant;
 };
 
 static const struct synonym synonyms[] = {
-    { "fov", NULL, "angle" },
-    { "field_of_view", NULL, "angle" },
-    { "zoom", NULL, "angle" },
-    { "position", "camera", "location" },
+    { "position origin eye", "camera", "location" },
+    { "width", "camera", "right 4*x" },
+    { "height", "camera", "up 3*y" },
+    { "isometric", "camera", "orthographic" },
+    { "samples", "camera", "blur_samples" },
+    { "focal_blur", "camera", "aperture 0.4 blur_samples 50" },
+    { "target", "camera", "look_at" },
     { "position", "", "<1, 2, 3>" },
-    { "size", "", "dimension_size(A, 1)" },
-    { "len", "", "dimension_size(A, 1)" },
+    { "size len", "", "dimension_size(A, 1)" },
     { "return", "", "function(x) { x*x }" },
     { "macro", "", "#macro NAME(A) ... #end" },
     { "exists", "", "file_exists(\"NAME\")" },
-    { "checkerboard", NULL, "checker" },
-    { "checkered", NULL, "checker" },
-    { "checkers", NULL, "checker" },
-    { "stripes", NULL, "gradient x" },
-    { "visible", NULL, "no_image" },
-    { "invisible", NULL, "no_image" },
-    { "hidden", NULL, "no_image" },
-    { "clip_by", NULL, "clipped_by" },
-    { "clip", NULL, "clipped_by" },
-    { "halo", "the scene", "media { ... }" },
-    { "halo", NULL, "interior { media { ... } }" },
-    { "atmosphere", "the scene", "media { scattering { 1, rgb 0.1 } }" },
-    { "fog_height", "fog", "fog_alt" },
-    { "density", "fog", "distance" },
-    { "center", "text", "translate -0.5*x" },
-    { "centre", "text", "translate -0.5*x" },
-    { "align", "text", "translate -0.5*x" },
     { "and", "", "&" },
     { "or", "", "|" },
     { "not", "", "!" },
     { "f_noise", "", "f_noise3d(x, y, z)" },
+    { "vec2", "", "<1, 2> ..." },
+    { "vec3 vector vector3 float3", "", "<1, 2, 3> ..." },
+    { "vec4", "", "<1, 2, 3, 4> ..." },
+    { "halo", "the scene", "media { ... }" },
+    { "atmosphere", "the scene", "media { scattering { 1, rgb 0.1 } }" },
     { "version", "the scene", "#version 3.7;" },
+    { "floor ground", "the scene", "plane { y, 0 }" },
+    { "sky", "the scene", "sky_sphere { pigment { ... } }" },
+    { "settings", "the scene", "global_settings" },
+    { "fog_height height", "fog", "fog_alt" },
+    { "density dist", "fog", "distance" },
+    { "type", "fog", "fog_type" },
+    { "center centre align", "text", "translate -0.5*x" },
     { "ambient", "global_settings", "ambient_light" },
     { "gamma", "global_settings", "assumed_gamma" },
     { "samples", "radiosity", "count" },
-    { "width", "camera", "right 4*x" },
-    { "height", "camera", "up 3*y" },
-    { "isometric", "camera", "orthographic" },
     { "circle", "light_source", "circular" },
-    { "vertices", "mesh2", "vertex_vectors" },
-    { "points", "mesh2", "vertex_vectors" },
-    { "faces", "mesh2", "face_indices" },
-    { "triangles", "mesh2", "face_indices" },
+    { "target look_at", "light_source", "point_at" },
+    { "shadows", "light_source", "shadowless" },
+    { "spot spot_light", "light_source", "spotlight" },
+    { "directional", "light_source", "parallel" },
+    { "brightness", "light_source", "rgb 2" },
+    { "vertices points", "mesh2", "vertex_vectors" },
+    { "faces triangles", "mesh2", "face_indices" },
     { "normals", "mesh2", "normal_vectors" },
     { "uvs", "mesh2", "uv_vectors" },
     { "fresnel", "finish", "reflection { 1 fresnel }" },
     { "texture_map", "texture", "gradient y texture_map { ... }" },
-    { "target", "light_source", "point_at" },
-    { "shadows", "light_source", "shadowless" },
-    { "shadows", NULL, "no_shadow" },
-    { "type", "fog", "fog_type" },
-    { "height", "fog", "fog_alt" },
+    { "sqrt", "julia_fractal", "sqr" },
+    { "fov field_of_view zoom", NULL, "angle" },
+    { "checkerboard checkered checkers", NULL, "checker" },
+    { "stripes", NULL, "gradient x" },
+    { "visible invisible hidden", NULL, "no_image" },
+    { "clip_by clip", NULL, "clipped_by" },
+    { "halo", NULL, "interior { media { ... } }" },
+    { "shadows cast_shadow cast_shadows castshadow", NULL, "no_shadow" },
     { "media", NULL, "interior { media ... }" },
     { "container", NULL, "contained_by" },
-    { "samples", "camera", "blur_samples" },
-    { "focal_blur", "camera", "aperture 0.4 blur_samples 50" },
-    { "sqrt", "julia_fractal", "sqr" },
-    { "origin", "camera", "location" },
-    { "eye", "camera", "location" },
-    { "target", "camera", "look_at" },
-    { "aspect", NULL, "right x*image_width/image_height" },
-    { "aspect_ratio", NULL, "right x*image_width/image_height" },
-    { "antialias", NULL, "+A on the command line" },
-    { "antialiasing", NULL, "+A on the command line" },
+    { "aspect aspect_ratio", NULL, "right x*image_width/image_height" },
+    { "antialias antialiasing", NULL, "+A on the command line" },
     { "resolution", NULL, "+W320 +H240 on the command line" },
-    { "light", NULL, "light_source" },
-    { "lamp", NULL, "light_source" },
-    { "point_light", NULL, "light_source" },
-    { "spot", "light_source", "spotlight" },
-    { "spot_light", "light_source", "spotlight" },
-    { "directional", "light_source", "parallel" },
-    { "pointlight", NULL, "light_source" },
+    { "light lamp point_light pointlight", NULL, "light_source" },
     { "intensity", NULL, "rgb 2" },
-    { "brightness", "light_source", "rgb 2" },
-    { "cast_shadow", NULL, "no_shadow" },
-    { "cast_shadows", NULL, "no_shadow" },
-    { "castshadow", NULL, "no_shadow" },
-    { "cube", NULL, "box" },
-    { "cuboid", NULL, "box" },
+    { "cube cuboid", NULL, "box" },
     { "ball", NULL, "sphere" },
     { "ellipsoid", NULL, "sphere { 0, 1 scale <2, 1, 1> }" },
     { "circle", NULL, "disc" },
     { "donut", NULL, "torus" },
     { "tube", NULL, "cylinder" },
-    { "floor", "the scene", "plane { y, 0 }" },
-    { "ground", "the scene", "plane { y, 0 }" },
     { "group", NULL, "union" },
     { "subtract", NULL, "difference" },
     { "intersect", NULL, "intersection" },
-    { "move", NULL, "translate" },
-    { "position", NULL, "translate" },
-    { "turn", NULL, "rotate" },
-    { "rotation", NULL, "rotate" },
-    { "translation", NULL, "translate" },
-    { "size", NULL, "scale" },
-    { "resize", NULL, "scale" },
+    { "move position translation", NULL, "translate" },
+    { "turn rotation", NULL, "rotate" },
+    { "size resize", NULL, "scale" },
     { "shininess", NULL, "phong 1 phong_size 40" },
     { "shiny", NULL, "phong 1" },
     { "glossy", NULL, "specular 0.5" },
-    { "reflect", NULL, "reflection" },
-    { "mirror", NULL, "reflection" },
-    { "transparent", NULL, "transmit" },
-    { "transparency", NULL, "transmit" },
-    { "opacity", NULL, "transmit" },
-    { "refract", NULL, "ior" },
-    { "index_of_refraction", NULL, "ior" },
+    { "reflect mirror", NULL, "reflection" },
+    { "transparent transparency opacity", NULL, "transmit" },
+    { "refract index_of_refraction", NULL, "ior" },
     { "bump", NULL, "bumps" },
-    { "noise", NULL, "bozo" },
-    { "perlin", NULL, "bozo" },
-    { "look_at", "light_source", "point_at" },
+    { "noise perlin", NULL, "bozo" },
     { "bilinear", NULL, "2" },
     { "bicubic", NULL, "3" },
     { "random", NULL, "rand(STREAM)" },
-    { "eof", NULL, "defined(HANDLE)" },
-    { "feof", NULL, "defined(HANDLE)" },
+    { "eof feof", NULL, "defined(HANDLE)" },
     { "normalize", NULL, "vnormalize(V)" },
     { "length", NULL, "vlength(V)" },
     { "dot", NULL, "vdot(V, W)" },
     { "cross", NULL, "vcross(V, W)" },
-    { "vec2", "", "<1, 2> ..." },
-    { "vec3", "", "<1, 2, 3> ..." },
-    { "vec4", "", "<1, 2, 3, 4> ..." },
-    { "vector", "", "<1, 2, 3> ..." },
-    { "vector3", "", "<1, 2, 3> ..." },
-    { "float3", "", "<1, 2, 3> ..." },
     { "ramp", NULL, "gradient y" },
     { "gradient_map", NULL, "color_map" },
     { "rgba", NULL, "rgbt" },
-    { "dist", "fog", "distance" },
-    { "background_color", NULL, "background { ... }" },
-    { "background_colour", NULL, "background { ... }" },
-    { "sky", "the scene", "sky_sphere { pigment { ... } }" },
-    { "settings", "the scene", "global_settings" },
+    { "background_color background_colour", NULL, "background { ... }" },
 };
 
 const char *mistaken_word(const struct word *word, const char *block)
 {
     for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
-        if (text_equal_nocase(word->text, synonyms[i].word) &&
+        if (text_among(word->text, synonyms[i].words) &&
             (!synonyms[i].block || strcmp(block, synonyms[i].block) == 0))
             return synonyms[i].meant;
     return NULL;
@@ -196,40 +155,33 @@ const char *mistaken_value(struct parser *p, const char *wanted)
 }
 
 static const struct {
-    const char *word;
+    const char *words;
     enum keyword meant;
 } directive_words[] = {
-    { "define", KEYWORD_DECLARE },  { "set", KEYWORD_DECLARE },
-    { "let", KEYWORD_DECLARE },     { "var", KEYWORD_DECLARE },
-    { "const", KEYWORD_DECLARE },   { "import", KEYWORD_INCLUDE },
-    { "require", KEYWORD_INCLUDE }, { "elif", KEYWORD_ELSEIF },
-    { "elsif", KEYWORD_ELSEIF },    { "endif", KEYWORD_END },
-    { "endwhile", KEYWORD_END },    { "endfor", KEYWORD_END },
-    { "endmacro", KEYWORD_END },    { "endswitch", KEYWORD_END },
-    { "fi", KEYWORD_END },          { "done", KEYWORD_END },
-    { "print", KEYWORD_DEBUG },     { "echo", KEYWORD_DEBUG },
-    { "unset", KEYWORD_UNDEF },     { "until", KEYWORD_WHILE },
-    { "foreach", KEYWORD_FOR },     { "function", KEYWORD_MACRO },
-    { "def", KEYWORD_MACRO },       { "sub", KEYWORD_MACRO },
+    { "define set let var const", KEYWORD_DECLARE },
+    { "import require", KEYWORD_INCLUDE },
+    { "elif elsif", KEYWORD_ELSEIF },
+    { "endif endwhile endfor endmacro endswitch fi done", KEYWORD_END },
+    { "print echo", KEYWORD_DEBUG },
+    { "unset", KEYWORD_UNDEF },
+    { "until", KEYWORD_WHILE },
+    { "foreach", KEYWORD_FOR },
+    { "function def sub", KEYWORD_MACRO },
 };
 
 bool mistaken_degrees(struct parser *p)
 {
-    static const char *const units[] = { "deg", "degs", "degree", "degrees" };
-    const struct token *token = stream_peek(p);
     size_t left;
-    const struct token *next = stream_raw(p, &left);
+    const struct token *token = stream_peek(p), *next = stream_raw(p, &left);
     bool called = left > 0 && next->kind == TOKEN_LPAREN;
-    for (size_t i = 0; !called && i < sizeof units / sizeof *units; i++)
-        if (token->kind == TOKEN_WORD &&
-            strcmp(token->word->text, units[i]) == 0) {
-            error_at(p, p->token_span, NULL,
-                     "angles are in degrees anyhow, without '%s'; about the y "
-                     "axis: rotate 30*y",
-                     token->word->text);
-            return true;
-        }
-    return false;
+    if (called || token->kind != TOKEN_WORD ||
+        !text_among(token->word->text, "deg degs degree degrees"))
+        return false;
+    error_at(p, p->token_span, NULL,
+             "angles are in degrees anyhow, without '%s'; about the y axis: "
+             "rotate 30*y",
+             token->word->text);
+    return true;
 }
 
 bool mistaken_named(struct parser *p)
@@ -258,7 +210,7 @@ enum keyword mistaken_directive_word(const struct word *word)
 {
     size_t count = sizeof directive_words / sizeof *directive_words;
     for (size_t i = 0; i < count; i++)
-        if (strcmp(word->text, directive_words[i].word) == 0)
+        if (text_among(word->text, directive_words[i].words))
             return directive_words[i].meant;
     struct text_nearest nearest = text_nearest_start(word->text);
     enum keyword meant = KEYWORD_NONE;
@@ -285,6 +237,8 @@ const char *mistaken_character(struct parser *p, struct span span)
 }
 
 /* ---- directives without '#' ---- */
+
+const char mistaken_fillers[] = "then do begin";
 
 /* Words that nothing but a directive is called. */
 static bool directive_stands_bare(enum keyword keyword)
@@ -339,22 +293,18 @@ static bool mistaken_after_message(struct parser *p)
 /* `#if (A) then`, `#while (A) do`, `#for (...) begin`, also with a '#'. */
 static bool mistaken_filler(struct parser *p)
 {
-    static const char *const fillers[] = { "then", "do", "begin" };
     const struct token *token = stream_peek(p);
     const struct cursor *cursor = p->cursor;
     if (token->kind != TOKEN_WORD || cursor->index < 2 ||
-        cursor->list->tokens[cursor->index - 2].kind != TOKEN_RPAREN)
+        cursor->list->tokens[cursor->index - 2].kind != TOKEN_RPAREN ||
+        !text_among(token->word->text, mistaken_fillers))
         return false;
-    for (size_t i = 0; i < sizeof fillers / sizeof *fillers; i++)
-        if (strcmp(token->word->text, fillers[i]) == 0) {
-            error_at(p, p->token_span, NULL,
-                     "no '%s' stands behind the condition of a directive, only "
-                     "an '#end' behind all that belongs to it",
-                     token->word->text);
-            stream_next(p);
-            return true;
-        }
-    return false;
+    error_at(p, p->token_span, NULL,
+             "no '%s' stands behind the condition of a directive, only an "
+             "'#end' behind all that belongs to it",
+             token->word->text);
+    stream_next(p);
+    return true;
 }
 
 static bool mistaken_bare(struct parser *p)
@@ -381,24 +331,15 @@ static bool mistaken_bare(struct parser *p)
 
 /* ---- declarations without #declare ---- */
 
-static bool word_is_type(const char *word)
-{
-    static const char *const types[] = { "var",    "let",    "const", "int",
-                                         "float",  "double", "real",  "number",
-                                         "define", "set",    "def",   "auto" };
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (strcmp(word, types[i]) == 0)
-            return true;
-    return false;
-}
-
 /* Whether a type and a name follow: `var NAME`. */
 static bool mistaken_typed(struct parser *p)
 {
     size_t left;
     const struct token *token = stream_peek(p), *raw = stream_raw(p, &left);
     return token->kind == TOKEN_WORD && left > 1 && raw[0].kind == TOKEN_WORD &&
-           !raw[0].word->reserved && word_is_type(token->word->text);
+           !raw[0].word->reserved &&
+           text_among(token->word->text, "var let const int float double real "
+                                         "number define set def auto");
 }
 
 /* Whether a declaration follows: NAME = or, `typed`, `var NAME =`. */

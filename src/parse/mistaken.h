@@ -27,6 +27,9 @@ bool mistaken_named(struct parser *p);
 /* If the next token is a unit of angles, as in `30*deg`: reports it. */
 bool mistaken_degrees(struct parser *p);
 
+/* Words that other languages want behind a condition: see text_among. */
+extern const char mistaken_fillers[];
+
 /* The directive that is meant by the word after a '#', or KEYWORD_NONE. */
 enum keyword mistaken_directive_word(const struct word *word);
 

@@ -4,10 +4,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/text.h"
 #include "parse/expression.h"
 #include "parse/mistaken.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
+
+#define HEXADECIMAL "0123456789abcdefABCDEF"
 
 static const char *span_text(struct span span)
 {
@@ -27,59 +30,55 @@ static bool number_touched(const struct parser *p)
 
 /* The word before the number, if it begins a colour of numbers as they are:
  * what is suggested takes its place. */
-static struct span number_colour(struct span span)
+static struct span number_colour(struct parser *p, struct span span)
 {
-    static const char *const words[] = { "rgb", "srgb" };
     const char *text = span.source->text;
     size_t end = span.offset, start;
     while (end > 0 && text[end - 1] == ' ')
         end--;
     for (start = end; start > 0 && isalnum((unsigned char)text[start - 1]);)
         start--;
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strlen(words[i]) == end - start &&
-            memcmp(text + start, words[i], end - start) == 0) {
-            span.length += span.offset - (uint32_t)start;
-            span.offset = (uint32_t)start;
-        }
+    if (text_among(arena_copy_text(p->arena, text + start, end - start),
+                   "rgb srgb")) {
+        span.length += span.offset - (uint32_t)start;
+        span.offset = (uint32_t)start;
+    }
     return span;
 }
 
 const char *mistaken_shade(struct parser *p, const char *digits)
 {
-    unsigned red, green, blue;
-    size_t length = strspn(digits, "0123456789abcdefABCDEF");
-    if (digits[length] ||
-        (length == 6 &&
-         sscanf(digits, "%2x%2x%2x", &red, &green, &blue) != 3) ||
-        (length == 3 &&
-         sscanf(digits, "%1x%1x%1x", &red, &green, &blue) != 3) ||
-        (length != 6 && length != 3))
+    unsigned red, green, blue, scale = 1;
+    size_t length = strspn(digits, HEXADECIMAL);
+    if (digits[length] || (length != 6 && length != 3))
         return NULL;
-    if (length == 3)
-        red *= 17, green *= 17, blue *= 17;
-    return arena_printf(p->arena, "srgb <%u, %u, %u>/255", red, green, blue);
+    if (length == 6) {
+        sscanf(digits, "%2x%2x%2x", &red, &green, &blue);
+    } else {
+        sscanf(digits, "%1x%1x%1x", &red, &green, &blue);
+        scale = 17;
+    }
+    return arena_printf(p->arena, "srgb <%u, %u, %u>/255", red * scale,
+                        green * scale, blue * scale);
 }
 
 /* 0xff0000: of six digits it is a colour. */
 static bool number_hexadecimal(struct parser *p, const char *word)
 {
     struct span number = p->last_span, span = span_join(number, p->token_span);
-    size_t digits = strspn(word + 1, "0123456789abcdefABCDEF");
+    size_t digits = strspn(word + 1, HEXADECIMAL);
     if (number.length != 1 || *span_text(number) != '0' ||
         (*word != 'x' && *word != 'X') || digits == 0 || word[1 + digits])
         return false;
-    const char *shade = digits == 6 ? mistaken_shade(p, word + 1) : NULL;
-    if (shade)
-        error_at(p, number_colour(span), shade,
-                 "a number has decimal digits; a colour is written in three "
-                 "numbers");
-    else
-        error_at(p, span,
-                 digits <= 8 ? arena_printf(p->arena, "%lu",
-                                            strtoul(word + 1, NULL, 16))
-                             : NULL,
-                 "a number has decimal digits");
+    const char *hint = NULL, *more = "";
+    if (digits == 6) {
+        span = number_colour(p, span);
+        hint = mistaken_shade(p, word + 1);
+        more = "; a colour is written in three numbers";
+    } else if (digits <= 8) {
+        hint = arena_printf(p->arena, "%lu", strtoul(word + 1, NULL, 16));
+    }
+    error_at(p, span, hint, "a number has decimal digits%s", more);
     return true;
 }
 
@@ -89,8 +88,8 @@ static bool number_grouped(struct parser *p, const char *word)
     struct span number = p->last_span, span = span_join(number, p->token_span);
     if (*word != '_' || word[strspn(word, "_0123456789")])
         return false;
-    char *plain = arena_copy_text(p->arena, span_text(span), span.length), *to;
-    to = plain;
+    char *plain = arena_copy_text(p->arena, span_text(span), span.length);
+    char *to = plain;
     for (const char *from = plain; *from; from++)
         if (*from != '_')
             *to++ = *from;
@@ -102,21 +101,16 @@ static bool number_grouped(struct parser *p, const char *word)
 /* 1.0f, 5px */
 static bool number_suffixed(struct parser *p, const char *word)
 {
-    static const char *const suffixes[] = {
-        "f",  "F",  "d",  "D",  "l",  "L",   "ul",  "UL",  "lf", "LF",  "h",
-        "px", "pt", "em", "mm", "cm", "m",   "km",  "in",  "ft", "deg", "rad",
-        "s",  "ms", "kb", "i",  "j",  "i32", "f32", "f64", "d0", "D0",
-    };
+    static const char suffixes[] =
+        "f d l ul lf h px pt em mm cm m km in ft deg "
+        "rad s ms kb i j i32 f32 f64 d0";
     struct span number = p->last_span;
-    for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
-        if (strcmp(word, suffixes[i]) == 0) {
-            error_at(
-                p, span_join(number, p->token_span),
-                arena_copy_text(p->arena, span_text(number), number.length),
-                "a number has no letters behind it");
-            return true;
-        }
-    return false;
+    if (!text_among(word, suffixes))
+        return false;
+    error_at(p, span_join(number, p->token_span),
+             arena_copy_text(p->arena, span_text(number), number.length),
+             "a number has no letters behind it");
+    return true;
 }
 
 /* 2x, 3(a + b) */
