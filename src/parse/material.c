@@ -11,17 +11,13 @@ static const struct field material_names[] = {
 
 /* interior_texture = "interior_texture" "{" texture_body "}" .
  * Over the one there was, which may be NULL. */
-bool parse_interior_texture(struct parser *p, const struct texture *outer,
-                            const struct texture **inner)
+bool parse_interior_texture(struct parser *p, const struct texture **inner)
 {
     const struct texture *texture;
-    struct span span = stream_span(p);
     if (!parse_texture(p, &texture))
         return false;
     *inner = *inner ? texture_stack(p, *inner, texture) : texture;
-    return outer || error_at(p, span, "texture { ... }",
-                             "before an 'interior_texture' there must be a "
-                             "texture for the outside");
+    return true;
 }
 
 /* material_item = texture | interior_texture | interior | transformation .
@@ -33,8 +29,7 @@ static bool parse_material_item(struct parser *p, struct material *material)
     if (stream_keyword(p) == KEYWORD_INTERIOR)
         return parse_interior(p, &material->interior);
     if (stream_keyword(p) == KEYWORD_INTERIOR_TEXTURE)
-        return parse_interior_texture(p, material->texture,
-                                      &material->interior_texture);
+        return parse_interior_texture(p, &material->interior_texture);
     if (stream_keyword(p) == KEYWORD_TEXTURE) {
         if (!parse_texture(p, &texture))
             return false;

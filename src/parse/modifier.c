@@ -98,7 +98,7 @@ static bool object_interior_texture(struct parser *p, struct object *object)
     const struct texture *inner = object->more->inner;
     if (inner && !affine_is_identity(*object->maps->inner))
         inner = texture_moved(p->scene_arena, inner, object->maps->inner);
-    if (!parse_interior_texture(p, object->texture, &inner))
+    if (!parse_interior_texture(p, &inner))
         return false;
     object_paint_inside(p, object, inner);
     return true;
@@ -398,11 +398,27 @@ static void object_old_ior(struct parser *p, struct object *object)
     object_more(p->scene_arena, object)->interior = interior;
 }
 
+/* What an inside has a texture for has one outside, too: before or after it. */
+static bool inside_has_outside(struct parser *p, const struct modifiers *m)
+{
+    return !m->inner.source || m->object->texture ||
+           error_at(p, m->inner, "texture { ... }",
+                    "with an 'interior_texture' there must be a texture for "
+                    "the outside");
+}
+
 bool parse_modifiers(struct parser *p, struct modifiers *m)
 {
-    while (stream_peek(p)->kind != TOKEN_RBRACE)
+    while (stream_peek(p)->kind != TOKEN_RBRACE) {
+        struct span at = stream_span(p);
+        bool had = m->object->more->inner;
         if (!parse_modifier(p, m))
             return false;
+        if (!had && m->object->more->inner)
+            m->inner = at;
+    }
+    if (!inside_has_outside(p, m))
+        return false;
     object_old_ior(p, m->object);
     return !m->cutaway || cutaway_textures(p, m->object);
 }

@@ -196,7 +196,7 @@ static bool parse_photon_flag(struct parser *p, struct photon_flags *flags)
     if (accept_word(p, "area_light"))
         return parse_bool(p, &flags->area);
     if (accept_word(p, "pass_through"))
-        return parse_bool(p, &on);
+        return parse_bool(p, &flags->passed);
     if (accept_word(p, "collect")) {
         bool ok = parse_bool(p, &on);
         flags->unlit = !on;
@@ -224,11 +224,14 @@ static bool photon_flags_items(struct parser *p, struct photon_flags *flags)
     return true;
 }
 
-/* photon_flags = "photons" "{" {photon_flag [","]} "}" . */
+/* What photons pass is no target of theirs, whatever else is said (measured).
+ * photon_flags = "photons" "{" {photon_flag [","]} "}" . */
 bool parse_photon_flags(struct parser *p, struct photon_flags *flags)
 {
     struct span open;
     stream_next(p);
-    return block_begin(p, &open) &&
-           block_end(p, open, photon_flags_items(p, flags));
+    bool ok = block_begin(p, &open) &&
+              block_end(p, open, photon_flags_items(p, flags));
+    flags->target &= !flags->passed;
+    return ok;
 }

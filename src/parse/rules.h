@@ -79,8 +79,7 @@ void finish_limit(struct parser *p, struct finish *finish);
 bool at_bare_item(struct parser *p);
 enum taken parse_bare_item(struct parser *p, const struct texture **in);
 /* The inside of texture { } or of an entry of a texture_map. */
-bool parse_interior_texture(struct parser *p, const struct texture *outer,
-                            const struct texture **inner);
+bool parse_interior_texture(struct parser *p, const struct texture **inner);
 bool parse_texture_body(struct parser *p, const struct texture **in);
 /* texture_choice.c: what begins with a pattern. */
 enum taken parse_texture_choice(struct parser *p, const struct texture **out);
@@ -176,6 +175,7 @@ struct modifiers {
     const struct field *items; /* of the primitive, or NULL */
     void *shape;               /* what `items` describe */
     bool cutaway;              /* cutaway_textures was said */
+    struct span inner;         /* where a texture for the inside is, or none */
     struct clip_list {
         struct clip *items;
         size_t count, capacity;

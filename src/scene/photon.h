@@ -32,6 +32,7 @@ struct photon_flags {
     enum photon_said refraction, reflection;
     bool target;    /* of an object: lamps send photons there */
     double spacing; /* multiplies the distance of those, 1 */
+    bool passed;    /* `pass_through`: it is no target */
     bool unlit;     /* `collect off`: they don't light it */
     bool area;      /* of a lamp: they come from all of its area */
 };
