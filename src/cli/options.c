@@ -188,6 +188,11 @@ static bool options_find_input(struct option_reader *reader)
     options->path = option_search(reader, options->input, extensions);
     if (options->path)
         return true;
+    /* --watch waits for it: an editor may have put it away for a moment. */
+    for (size_t i = 0; extensions[i]; i++)
+        file_list_add(
+            options->parse.asked,
+            arena_printf(reader->arena, "%s%s", options->input, extensions[i]));
     return option_scene_missing(reader, options->input);
 }
 
