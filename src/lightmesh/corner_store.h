@@ -8,7 +8,19 @@
 #include "lightmesh/surface_grid.h"
 
 struct camera;
-struct corner_store;
+struct cells;
+struct table;
+
+/* Its grid and mesh are for those who ask, the rest is its own. */
+struct corner_store {
+    const struct indirect_mesh *mesh;
+    const struct camera *camera;
+    const struct surface_grid *grid;
+    struct table *corners; /* where they are, and beside, by the same keys, */
+    struct table *lights;  /* what those know that served */
+    unsigned threads;
+    struct cells *cells; /* of each worker */
+};
 
 /* Of a picture that so many workers draw; mesh, camera and grid must outlive
  * it. Frees with corner_store_free. */
@@ -17,6 +29,14 @@ struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
                                       const struct surface_grid *grid,
                                       unsigned threads);
 void corner_store_free(struct corner_store *store);
+
+/* What stands for a corner of a cell that is flat (corner_cell.h): */
+struct cell_place {
+    int way;  /* 0: the grid's own corner; else another place on its surface,
+               * named by how it was found (grid_corner_key), */
+    int like; /* or, unless below 0, what that one of the others says */
+    struct corner corner;
+};
 
 /* The corners around a place. */
 struct corner_cell {
@@ -27,13 +47,17 @@ struct corner_cell {
     const struct corner *corner[GRID_CORNERS]; /* NULL: not asked yet, or not
                                                 * kept */
     const struct corner_light *light[GRID_CORNERS]; /* likewise */
-    /* Whether all corners are on one plane (corner_cell_holds): -1 no, 1 yes, 0
-     * not asked yet; if so where it is, and, once known, what they say. */
+    /* Whether it is flat (corner_cell_holds): -1 no, 1 yes, 0 not asked yet; if
+     * so where it is, and, once known, what is said there. */
     signed char flat;
+    bool clipped; /* not all are the grid's own corners: */
     bool told;
-    vec3 at[GRID_CORNERS], side;
-    double thick;  /* how far from the plane a place is on it, units */
-    double reach2; /* square of how far all corners may serve */
+    struct cell_place place[GRID_CORNERS];
+    double end[2][2][2]; /* along both axes, in the first row and the second,
+                          * where it begins and ends, steps */
+    struct corner plane; /* a corner that is on it */
+    double thick;        /* how far from the plane a place is on it, units */
+    double reach2;       /* square of how far all corners may serve */
     struct indirect_share share[GRID_CORNERS];
     double differ; /* by how much, of the largest of them */
 };
@@ -58,26 +82,10 @@ const struct corner_light *corner_store_light(const struct corner_store *store,
                                               struct corner_cell *cell, int i,
                                               const struct receiver *like);
 
-/* Whether all corners of the cell are on the receiver's plane, and near enough
- * to serve it. */
-enum corner_hold { CELL_BENT, CELL_FAR, CELL_HOLDS };
-
-enum corner_hold corner_cell_holds(const struct corner_store *store,
-                                   struct worker *worker,
-                                   struct corner_cell *cell,
-                                   const struct receiver *receiver);
-
-/* Sets what the corners of a cell say, which have all been met, and by how much
- * they differ. */
-void corner_cell_ask(const struct corner_store *store, struct worker *worker,
-                     struct corner_cell *cell, const struct receiver *like);
-
-/* By how much two of so many shares differ, as a part of the larger one. */
-double shares_differ(const struct indirect_share *const *shares, int count);
-
-/* Whether all corners are there and see each other: then nothing stands between
- * them and a place in their midst. */
-bool corner_store_clear(const struct corner_store *store, struct worker *worker,
-                        struct corner_cell *cell, const struct receiver *like);
+/* What stands for corner `i` of a flat cell gets, unless it is like another. */
+struct indirect_share corner_store_share(const struct corner_store *store,
+                                         struct worker *worker,
+                                         struct corner_cell *cell, int i,
+                                         const struct receiver *like);
 
 #endif

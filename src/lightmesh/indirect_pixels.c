@@ -1,8 +1,10 @@
 /* Indirect light between corners of surfaces: see indirect_pixels.h. */
 #include "lightmesh/indirect_pixels.h"
 
+#include <string.h>
+
 #include "base/memory.h"
-#include "lightmesh/corner_store.h"
+#include "lightmesh/corner_cell.h"
 #include "lightmesh/lone_places.h"
 #include "lightmesh/pixel_answers.h"
 #include "lightmesh/pixel_blocks.h"
@@ -62,6 +64,7 @@ struct asking {
 /* The corners around a place that serve it, with their weights. */
 struct corners {
     struct grid_cell name;
+    double weight[GRID_CORNERS];   /* of those of a cell that holds */
     struct corner_cell *cell, own; /* own: where the worker keeps none; NULL:
                                     * there is none */
     enum corner_hold hold;
@@ -99,8 +102,9 @@ static void corners_begin(struct corners *corners, const struct asking *ask,
                                       &corners->own);
     if (receiver_is_bumpy(ask->receiver))
         return;
+    memcpy(corners->weight, name->weight, sizeof corners->weight);
     corners->hold = corner_cell_holds(pixels->store, ask->worker, corners->cell,
-                                      ask->receiver);
+                                      ask->receiver, corners->weight);
     if (corners->hold == CELL_HOLDS)
         corner_cell_ask(pixels->store, ask->worker, corners->cell,
                         ask->receiver);
@@ -146,7 +150,7 @@ static double corners_differ(const struct corners *corners,
                              const struct asking *ask)
 {
     const struct indirect_share *shares[GRID_CORNERS];
-    if (corners->count == GRID_CORNERS) {
+    if (corners->count == GRID_CORNERS && !corners->cell->clipped) {
         corner_cell_ask(ask->pixels->store, ask->worker, corners->cell,
                         ask->receiver);
         return corners->cell->differ;
@@ -165,8 +169,8 @@ static void corners_look(struct corners *corners, const struct asking *ask)
     bool alike = corners_differ(corners, ask) <= indirect_pixels_even;
     if (corners->missing
             ? alike && count > 2
-            : alike || corner_store_clear(ask->pixels->store, ask->worker,
-                                          corners->cell, ask->receiver))
+            : alike || corner_cell_clear(ask->pixels->store, ask->worker,
+                                         corners->cell, ask->receiver))
         return;
     corners->count = 0;
     corners->sum = 0;
@@ -216,7 +220,7 @@ static struct indirect_share corners_flat_share(const struct corners *corners)
     const struct corner_cell *cell = corners->cell;
     struct indirect_share share = { rgb_grey(0), 0 };
     for (int i = 0; i < GRID_CORNERS; i++) {
-        double weight = corners->name.weight[i];
+        double weight = corners->weight[i];
         share.light = rgb_add_scaled(share.light, cell->share[i].light, weight);
         share.open += weight * cell->share[i].open;
     }
@@ -274,6 +278,8 @@ static double coarse_light(struct corners *corners, const struct asking *ask,
 {
     double enough;
     corners->missing = true;
+    if (corners->hold == CELL_HOLDS && corners->cell->clipped)
+        return 0;
     if (corners->hold == CELL_HOLDS) {
         enough = evenness(corners->cell->differ);
         if (enough > 0)
@@ -299,7 +305,7 @@ static void coarse_blend(const struct asking *ask, struct indirect_share *share)
     if (ask->blend <= 0)
         return;
     corners_begin(&coarser, ask, ask->level + 2);
-    if (coarser.hold != CELL_HOLDS)
+    if (coarser.hold != CELL_HOLDS || coarser.cell->clipped)
         return;
     const struct indirect_share more = corners_flat_share(&coarser);
     share_blend(share, &more, ask->blend * evenness(coarser.cell->differ));
@@ -311,17 +317,32 @@ static bool cell_is_even(const struct corners *corners)
            corners->cell->differ <= indirect_pixels_even;
 }
 
-/* Between flat cells that are even, if both are that are wanted. */
-static bool cells_light(const struct corners at[2], double blend,
+/* The same, or nothing stands in it. */
+static bool cell_is_clear(const struct corners *corners,
+                          const struct asking *ask)
+{
+    return cell_is_even(corners) ||
+           (corners->hold == CELL_HOLDS &&
+            corner_cell_clear(ask->pixels->store, ask->worker, corners->cell,
+                              ask->receiver));
+}
+
+/* Between flat cells that are even, if both are that are wanted; what stands
+ * for corners is asked in no other way. */
+static bool cells_light(const struct corners at[2], const struct asking *ask,
                         struct indirect_share *share)
 {
-    bool mixed = blend > 0 && at[1].hold != CELL_FAR;
-    if (!cell_is_even(&at[0]) || (mixed && !cell_is_even(&at[1])))
+    bool clipped = at[0].hold == CELL_HOLDS && at[0].cell->clipped;
+    bool mixed = ask->blend > 0 && at[1].hold != CELL_FAR;
+    if (clipped)
+        mixed = mixed && cell_is_clear(&at[1], ask);
+    if (!(clipped ? cell_is_clear(&at[0], ask) : cell_is_even(&at[0])) ||
+        (mixed && !clipped && !cell_is_even(&at[1])))
         return false;
     *share = corners_flat_share(&at[0]);
     if (mixed) {
         const struct indirect_share coarse = corners_flat_share(&at[1]);
-        share_blend(share, &coarse, blend);
+        share_blend(share, &coarse, ask->blend);
     }
     return true;
 }
@@ -331,12 +352,12 @@ static bool fine_light(struct corners at[2], const struct asking *ask,
                        struct indirect_share *share)
 {
     corners_begin(&at[0], ask, ask->level);
-    if (cells_light(at, ask->blend, share))
+    if (cells_light(at, ask, share))
         return true;
     corners_find(&at[0], ask, false);
     if (at[0].sum < indirect_pixels_enough)
         return lone_light(ask, share);
-    if (at[1].hold == CELL_HOLDS) {
+    if (at[1].hold == CELL_HOLDS && !at[1].cell->clipped) {
         corners_find(&at[1], ask, true);
         corners_ask(&at[1], ask);
     }

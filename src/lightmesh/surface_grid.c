@@ -6,8 +6,10 @@
 #include "scene/camera.h"
 
 enum {
-    GRID_TYPICAL = 12,        /* the level whose step is what is typical */
-    GRID_RIM = (1 << 17) - 4, /* names reach so far from the origin, steps */
+    GRID_TYPICAL = 12, /* the level whose step is what is typical */
+    GRID_KINDS = 4,
+    GRID_WAYS = 9,
+    GRID_RIM = (1 << 16) - 4, /* names reach so far from the origin, steps */
 };
 
 /* Cells are moved by a fraction of their step, lest corners fall on the round
@@ -121,17 +123,29 @@ bool grid_cells_same(const struct grid_cell *a, const struct grid_cell *b)
     return differ == 0;
 }
 
-/* 5 bits of axis, way and kind, 5 of level, 3 times 18, biased. */
-uint64_t grid_corner_key(const struct grid_cell *cell, int corner, int kind)
+/* 8 bits of axis, side, kind and way, 5 of level, 3 times 17, biased. */
+uint64_t grid_corner_key(const struct grid_cell *cell, int corner, int kind,
+                         int way)
 {
     int at[3] = { cell->at[0] + corner % 2, cell->at[1] + corner / 2,
                   cell->slab[corner] };
-    uint64_t key =
-        1 + (uint64_t)(cell->axis * 2 + cell->down) * 4 + (uint64_t)kind;
+    int what = ((cell->axis * 2 + cell->down) * GRID_KINDS + kind) * GRID_WAYS;
+    uint64_t key = 1 + (uint64_t)(what + way);
     key = key << 5 | (uint64_t)cell->level;
     for (int i = 0; i < 3; i++)
-        key = key << 18 | (uint64_t)((at[i] + (1 << 17)) & ((1 << 18) - 1));
+        key = key << 17 | (uint64_t)((at[i] + (1 << 16)) & ((1 << 17) - 1));
     return key;
+}
+
+vec3 grid_cell_along(const struct grid_cell *cell, vec3 side, int axis,
+                     double step)
+{
+    const double normal[3] = { side.x, side.y, side.z };
+    const int along = axis == 0 ? after[cell->axis] : after[after[cell->axis]];
+    double way[3] = { 0, 0, 0 };
+    way[along] = step;
+    way[cell->axis] = -step * normal[along] / normal[cell->axis];
+    return vec3_make(way[0], way[1], way[2]);
 }
 
 struct ray grid_corner_line(const struct surface_grid *grid,

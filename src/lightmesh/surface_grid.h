@@ -55,9 +55,15 @@ bool surface_grid_cell(const struct surface_grid *grid,
 /* Whether they have the same corners. */
 bool grid_cells_same(const struct grid_cell *a, const struct grid_cell *b);
 
-/* The name of a corner as a number, never 0; `kind`, 0 to 3, is the caller's.
- */
-uint64_t grid_corner_key(const struct grid_cell *cell, int corner, int kind);
+/* The name of a corner as a number, never 0; `kind`, 0 to 3, and `way`, 0 to 8,
+ * are the caller's. */
+uint64_t grid_corner_key(const struct grid_cell *cell, int corner, int kind,
+                         int way);
+
+/* From corner to corner along the first or the second axis of the cell, on a
+ * plane with that normal. */
+vec3 grid_cell_along(const struct grid_cell *cell, vec3 side, int axis,
+                     double step);
 
 /* The line on which the corner is, and how long it is. */
 struct ray grid_corner_line(const struct surface_grid *grid,

@@ -247,6 +247,10 @@ static const double indirect_pixels_open = 0.2;   /* openness 1 counting as much
 static const double indirect_pixels_least = 0.01; /* weight of a corner asked */
 static const double indirect_pixels_enough = 0.4; /* and of all that serve */
 
+static const double clip_before = 0.1; /* of a cell's edge: what stands for a
+                                        * corner is that far before a wall, */
+static const double clip_least = 0.05; /* and from the next one, at least */
+
 static const double grid_facing_least = 0.0625; /* cosine of a surface to the
                                                  * way to it: what is seen more
                                                  * from its edge counts as that

@@ -13,8 +13,8 @@ static const double least = 0.02;
 
 /* A walk over all textures. */
 struct tally {
-    size_t count;
-    double sum; /* of ambient / diffuse */
+    double ambient, diffuse; /* sums: what is hardly diffuse says little of what
+                              * surfaces have instead of each other's light */
     bool glows;
 };
 
@@ -26,8 +26,8 @@ static void tally_texture(struct tally *tally, const struct texture *texture)
         tally->glows |= rgb_peak(finish->emission) > 0;
         if (finish->diffuse <= 0)
             continue;
-        tally->sum += fmin(ambient / finish->diffuse, 1);
-        tally->count++;
+        tally->ambient += fmin(ambient, finish->diffuse);
+        tally->diffuse += finish->diffuse;
     }
 }
 
@@ -74,7 +74,7 @@ struct ambience ambience_new(const struct world *world,
     world_visit(world, tally_solid, tally_leaf, &tally);
     ambience.everywhere = !tally.glows && !lamps_shine(world);
     ambience.light = scene->settings.ambient_light;
-    ambience.share = tally.count > 0 ? tally.sum / (double)tally.count : 0;
+    ambience.share = tally.diffuse > 0 ? tally.ambient / tally.diffuse : 0;
     return ambience;
 }
 

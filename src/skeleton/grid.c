@@ -23,6 +23,10 @@ static const double camera_stretch = 4, other_stretch = 2;
  * and all others together are skies, grounds, or far away: the grid cuts them,
  * or leaves them outside. */
 static const double vast = 16;
+/* The same where the picture needs no more than the chambers that it shows:
+ * something small and far off would leave a cave two voxels [cave: .062 ->
+ * .001]. */
+static const double vast_still = 4;
 
 /* Without anything bounded walls are looked for up to here. */
 static const double far_away = 1e5;
@@ -96,8 +100,9 @@ static int thing_order(const void *first, const void *second)
     return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* Around all things but vast ones. */
-static struct box3 box_of_things(const struct world *world, vec3 eye)
+/* Around all things but those so many times farther. */
+static struct box3 box_of_things(const struct world *world, vec3 eye,
+                                 double far)
 {
     struct things things = { .arena = arena_new(0), .eye = eye };
     struct box3 box = box3_empty(), seen = box3_add(box, eye);
@@ -107,7 +112,7 @@ static struct box3 box_of_things(const struct world *world, vec3 eye)
     for (size_t i = 0; i < things.count; i++) {
         double size = longest_side(seen);
         if (size > 0 && 2 * i >= things.count &&
-            things.items[i].reach > vast * size)
+            things.items[i].reach > far * size)
             break;
         box = box3_union(box, things.items[i].box);
         seen = box3_union(seen, things.items[i].box);
@@ -121,7 +126,8 @@ static struct box3 box_of_things(const struct world *world, vec3 eye)
 static struct box3 find_box(const struct world *world,
                             const struct camera *camera, bool still)
 {
-    struct box3 box = box_of_things(world, camera->location);
+    struct box3 box =
+        box_of_things(world, camera->location, still ? vast_still : vast);
     size_t count;
     const struct light *lights = world_lights(world, &count);
     if (box3_is_empty(box))

@@ -98,12 +98,12 @@ static void names_differ(void **state)
         assert_true(
             surface_grid_cell(&grid, &receiver, i < 2 ? 10 : 11, &cell));
         for (int corner = 0; corner < GRID_CORNERS; corner++)
-            keys[count++] = grid_corner_key(&cell, corner, 0);
+            keys[count++] = grid_corner_key(&cell, corner, 0, 0);
     }
     for (int i = 0; i < count; i++)
         for (int j = 0; j < i; j++)
             assert_true(keys[i] != keys[j]);
-    assert_true(keys[0] != grid_corner_key(&cell, 0, 3) && keys[0] != 0);
+    assert_true(keys[0] != grid_corner_key(&cell, 0, 3, 0) && keys[0] != 0);
 }
 
 /* So far away there are no names. */
