@@ -160,8 +160,8 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
                                     : greater(largest_of(mirror->minimum),
                                               largest_of(mirror->maximum));
     rgb tint = finish_metallic(mirror->metallic, cosine, pigment);
-    rgb colour = rgb_mul(share, tint);
-    return (struct finish_mirror){ colour, colour, weight };
+    rgb mirrored = rgb_mul(share, tint);
+    return (struct finish_mirror){ mirrored, mirrored, weight };
 }
 
 static double power_of_light(double light, double exponent)
