@@ -63,21 +63,20 @@ struct indirect_share indirect_light_share(const struct indirect_light *light,
     };
 }
 
-/* What comes from behind the surface is known at the normal away from it. Of
- * light that is even there a bump that faces away by such a cosine gets the
- * part (1 - cosine) / 2. */
 struct indirect_share indirect_light_bumped(const struct indirect_light *light,
                                             vec3 side, vec3 normal)
 {
-    struct indirect_share share = indirect_light_share(light, normal);
-    const struct indirect_share behind =
-        indirect_light_share(light, vec3_negate(side));
-    double part = (1 - vec3_dot(side, normal)) / 2;
-    rgb light_there = rgb_add_scaled(share.light, behind.light, -part);
-    share.light = (rgb){ fmax(light_there.r, 0), fmax(light_there.g, 0),
-                         fmax(light_there.b, 0) };
-    share.open = fmax(share.open - part * behind.open, 0);
-    return share;
+    double weights[HARMONICS], r = 0, g = 0, b = 0, open = 0;
+    harmonics_bump(side, normal, weights);
+    for (int i = 0; i < HARMONICS; i++) {
+        r += weights[i] * (double)light->light.r[i];
+        g += weights[i] * (double)light->light.g[i];
+        b += weights[i] * (double)light->light.b[i];
+        open += weights[i] * (double)light->open[i];
+    }
+    return (struct indirect_share){
+        rgb_make(fmax(r, 0), fmax(g, 0), fmax(b, 0)), fmin(fmax(open, 0), 1)
+    };
 }
 
 rgb bounce_toned(const struct bounce_tone *tone, rgb light)
