@@ -105,8 +105,9 @@ struct indirect_share corner_share(const struct corner *corner,
         return share;
     const struct indirect_share here = indirect_light_share(&light->light,
                                                             corner->side),
-                                turned = indirect_light_share(&light->light,
-                                                              receiver->normal);
+                                turned = indirect_light_bumped(
+                                    &light->light, receiver->side,
+                                    receiver->normal);
     share.light.r = turned_by(share.light.r, here.light.r, turned.light.r);
     share.light.g = turned_by(share.light.g, here.light.g, turned.light.g);
     share.light.b = turned_by(share.light.b, here.light.b, turned.light.b);

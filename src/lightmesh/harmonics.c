@@ -16,6 +16,15 @@ static void harmonics_weights(vec3 normal, double brilliance,
         weights[i] *= i == 0 ? order0 : i < 4 ? order1 : order2;
 }
 
+void harmonics_bump(vec3 side, vec3 normal, double weights[HARMONICS])
+{
+    double behind[HARMONICS], part = (1 - vec3_dot(side, normal)) / 2;
+    harmonics_weights(normal, 1, weights);
+    harmonics_weights(vec3_negate(side), 1, behind);
+    for (int i = 0; i < HARMONICS; i++)
+        weights[i] -= part * behind[i];
+}
+
 rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
                          double brilliance)
 {

@@ -80,6 +80,12 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
 rgb harmonics_received(const void *context, vec3 place, vec3 normal,
                        const void *harmonics);
 
+/* What each coefficient gives a bump with this normal on a surface that is lit
+ * on `side`: nothing of what comes from behind the surface, which is known at
+ * the normal away from it. Of light that is even there a bump that faces away
+ * by such a cosine gets the part (1 - cosine) / 2. */
+void harmonics_bump(vec3 side, vec3 normal, double weights[HARMONICS]);
+
 /* The light as if it came from one direction, the one where most of it comes
  * from: a unit vector, or zero if there is none. What comes from all sides
  * alike is no part of *light. */

@@ -164,12 +164,12 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     struct indirect_light light;
     if (!receiver->pixel) {
         indirect_mesh_blend(mesh, worker, receiver, &light);
-        return indirect_light_share(&light, receiver->normal);
+        return indirect_light_bumped(&light, receiver->side, receiver->normal);
     }
     struct indirect_share share =
         indirect_mesh_around(mesh, worker, receiver, &mesh->near_lone, &light);
     if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
-        share = indirect_light_share(&light, receiver->normal);
+        share = indirect_light_bumped(&light, receiver->side, receiver->normal);
     return share;
 }
 

@@ -63,6 +63,22 @@ struct indirect_share indirect_light_share(const struct indirect_light *light,
     };
 }
 
+struct indirect_share indirect_light_bumped(const struct indirect_light *light,
+                                            vec3 side, vec3 normal)
+{
+    double weights[HARMONICS], r = 0, g = 0, b = 0, open = 0;
+    harmonics_bump(side, normal, weights);
+    for (int i = 0; i < HARMONICS; i++) {
+        r += weights[i] * (double)light->light.r[i];
+        g += weights[i] * (double)light->light.g[i];
+        b += weights[i] * (double)light->light.b[i];
+        open += weights[i] * (double)light->open[i];
+    }
+    return (struct indirect_share){
+        rgb_make(fmax(r, 0), fmax(g, 0), fmax(b, 0)), fmin(fmax(open, 0), 1)
+    };
+}
+
 rgb bounce_toned(const struct bounce_tone *tone, rgb light)
 {
     rgb grey = rgb_grey(rgb_brightness(light));

@@ -40,6 +40,11 @@ struct indirect_share {
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal);
 
+/* The same where bumps turn the normal of a surface, which hides what is behind
+ * it. */
+struct indirect_share indirect_light_bumped(const struct indirect_light *light,
+                                            vec3 side, vec3 normal);
+
 /* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
  * less colour. */
 rgb bounce_toned(const struct bounce_tone *tone, rgb light);

@@ -198,20 +198,20 @@ static struct indirect_share corners_smooth(const struct corners *corners)
 }
 
 static struct indirect_share corners_bumpy(const struct corners *corners,
-                                           vec3 normal)
+                                           const struct receiver *receiver)
 {
     struct indirect_light light = indirect_light_none;
     for (int i = 0; i < corners->count; i++)
         indirect_light_mix(&light, &corners->at[i].light->light,
                            (float)(corners->at[i].weight / corners->sum));
-    return indirect_light_share(&light, normal);
+    return indirect_light_bumped(&light, receiver->side, receiver->normal);
 }
 
 static struct indirect_share corners_light(const struct corners *corners,
                                            const struct asking *ask)
 {
     return receiver_is_bumpy(ask->receiver)
-               ? corners_bumpy(corners, ask->receiver->normal)
+               ? corners_bumpy(corners, ask->receiver)
                : corners_smooth(corners);
 }
 

@@ -508,7 +508,7 @@ static rgb fill_layer(const struct facets *facets, unsigned i, double ior,
     to->weight = weight_at(layer, i);
     to->reflection = mirror.colour;
     to->reflection_weight = mirror.weight;
-    return finish_through(paint.finish, paint.pigment, mirror.colour);
+    return finish_through(paint.finish, paint.pigment, &mirror);
 }
 
 /* Whether a texture ends with layer `k`. */

@@ -134,6 +134,14 @@ rgb finish_metallic(double metallic, double cosine, rgb pigment)
     return rgb_add_scaled(rgb_grey(1), tint, metallic * (1 - f));
 }
 
+static double largest_of(rgb share)
+{
+    return greater(share.r, greater(share.g, share.b));
+}
+
+/* A mirror that is stronger at an angle sends rays for the strongest that it
+ * can be, wherever it is seen from; by Fresnel for what it is (measured, by
+ * adc_bailout). */
 struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
                                    double cosine, double ior)
 {
@@ -141,16 +149,19 @@ struct finish_mirror finish_mirror(const struct finish *finish, rgb pigment,
     rgb range = rgb_sub(mirror->maximum, mirror->minimum);
     rgb share = mirror->minimum;
     if (rgb_peak(mirror->maximum) == 0 && rgb_peak(share) == 0)
-        return (struct finish_mirror){ rgb_grey(0), 0 };
+        return (struct finish_mirror){ rgb_grey(0), rgb_grey(0), 0 };
     if (mirror->fresnel)
         share = rgb_add_scaled(share, range,
                                finish_fresnel(greater(cosine, 0), ior));
     else if (rgb_peak(range) != 0)
         share = rgb_add_scaled(
             share, range, power_of(1 - lesser(cosine, 1), mirror->falloff));
-    double weight = greater(share.r, greater(share.g, share.b));
+    double weight = mirror->fresnel ? largest_of(share)
+                                    : greater(largest_of(mirror->minimum),
+                                              largest_of(mirror->maximum));
     rgb tint = finish_metallic(mirror->metallic, cosine, pigment);
-    return (struct finish_mirror){ rgb_mul(share, tint), weight };
+    rgb mirrored = rgb_mul(share, tint);
+    return (struct finish_mirror){ mirrored, mirrored, weight };
 }
 
 static double power_of_light(double light, double exponent)

@@ -114,7 +114,9 @@ static inline bool finish_lit_by(const struct finish *finish, double cosine,
 
 struct finish_mirror {
     rgb colour;    /* multiplies the mirrored light */
-    double weight; /* largest component before the metallic tint */
+    rgb kept;      /* from what passes, with conserve_energy: the same without
+                    * the film that tints what is mirrored (measured) */
+    double weight; /* of the ray that looks there, before any tint */
 };
 
 /* The mirror for a viewer at `cosine` from the normal (negative: a bump faces
@@ -146,7 +148,7 @@ finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
 {
     const struct finish *finish = paint->finish;
     if (!finish_mirrors(finish))
-        return (struct finish_mirror){ rgb_grey(0), 0 };
+        return (struct finish_mirror){ rgb_grey(0), rgb_grey(0), 0 };
     double cosine = vec3_dot(view, paint->bumped);
     struct finish_mirror mirror =
         finish_mirror(finish, colour_rgb(paint->pigment), cosine, ior);
@@ -162,11 +164,11 @@ finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
 
 /* What light passes a layer down to the next. */
 static inline rgb finish_through(const struct finish *finish, colour pigment,
-                                 rgb reflection)
+                                 const struct finish_mirror *mirror)
 {
     rgb through = colour_transmittance(pigment);
     if (finish->conserve_energy)
-        through = rgb_mul(through, rgb_sub(rgb_grey(1), reflection));
+        through = rgb_mul(through, rgb_sub(rgb_grey(1), mirror->kept));
     return through;
 }
 

@@ -242,8 +242,8 @@ static rgb surface_add_layers(struct surface *surface,
          * tracer/integrator/recursive.c. */
         layer->reflection = rgb_scale(mirror.colour, place->share);
         layer->reflection_weight = mirror.weight;
-        weight = rgb_mul(
-            weight, finish_through(source->finish, pigment, mirror.colour));
+        weight =
+            rgb_mul(weight, finish_through(source->finish, pigment, &mirror));
         if (fabs(rgb_brightness(weight)) < view->bailout)
             break;
     }

@@ -26,7 +26,8 @@ struct surface_layer {
     vec3 normal;    /* unit, perturbed, towards the viewer's side */
     rgb weight;     /* what the layers above let through, 1 for the top one */
     rgb reflection; /* share of mirrored light, in [0,1] if the finish is */
-    double reflection_weight; /* its largest component before tinting */
+    double
+        reflection_weight; /* of the ray that looks there: see finish_mirror */
 };
 
 struct picture_place;

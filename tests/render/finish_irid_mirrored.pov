@@ -10,3 +10,7 @@ plane { y, 0
     pigment { rgb <0, .6, 0> }
     normal { ripples .4 scale 3 }
     finish { irid { .4 thickness .3 } reflection .8 } }
+// What passes is dimmed by what the mirror is without its film.
+sphere { <-2, 1.6, -5>, 1
+    pigment { rgbt <1, .9, .8, .9> }
+    finish { irid { .4 thickness .3 } reflection .6 conserve_energy } }

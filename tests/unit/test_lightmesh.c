@@ -206,6 +206,32 @@ static void test_smooth_interpolation(void **state)
     assert_true(least > -0.35 && most < 0.35);
 }
 
+/* Even light before a surface lights its bumps as far as they face it, and what
+ * is behind it none of them. */
+static void test_bump(void **state)
+{
+    (void)state;
+    float before[HARMONICS] = { 0 }, behind[HARMONICS] = { 0 };
+    const vec3 side = { 0, 1, 0 };
+    const int count = 20000;
+    for (int i = 0; i < count; i++) {
+        double y = (i + 0.5) / count, turn = 2.4 * i, flat = sqrt(1 - y * y);
+        vec3 way = { flat * cos(turn), y, flat * sin(turn) };
+        harmonics_add_share(before, way, 2.0 / count);
+        harmonics_add_share(behind, vec3_negate(way), 2.0 / count);
+    }
+    for (double angle = 0; angle < 3.2; angle += 0.5) {
+        double weights[HARMONICS], bright = 0, dark = 0;
+        harmonics_bump(side, vec3_make(sin(angle), cos(angle), 0), weights);
+        for (int i = 0; i < HARMONICS; i++) {
+            bright += weights[i] * (double)before[i];
+            dark += weights[i] * (double)behind[i];
+        }
+        assert_float_equal(bright, (1 + cos(angle)) / 2, 0.01);
+        assert_float_equal(dark, 0, 0.01);
+    }
+}
+
 /* Order 2 of max(0, cosine) is 1/4 + cos/2 + 5/32 (3 cos^2 - 1). */
 static void test_harmonics(void **state)
 {
@@ -321,6 +347,7 @@ int main(void)
         cmocka_unit_test(test_interpolation),
         cmocka_unit_test(test_smooth_interpolation),
         cmocka_unit_test(test_harmonics),
+        cmocka_unit_test(test_bump),
         cmocka_unit_test(test_obstacles),
         cmocka_unit_test(test_obstacles_plane),
         cmocka_unit_test(test_smooth_side),
