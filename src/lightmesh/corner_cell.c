@@ -280,8 +280,9 @@ enum corner_hold corner_cell_holds(const struct corner_store *store,
         if (vec3_dot(between, between) > cell->reach2)
             return CELL_FAR;
     }
-    return cell->clipped && !clipped_weights(cell, weight) ? CELL_BENT
-                                                           : CELL_HOLDS;
+    if (!cell->clipped)
+        return CELL_HOLDS;
+    return clipped_weights(cell, weight) ? CELL_CLIPPED : CELL_BENT;
 }
 
 double shares_differ(const struct indirect_share *const *shares, int count)
@@ -294,6 +295,12 @@ double shares_differ(const struct indirect_share *const *shares, int count)
         most = fmax(most, amount);
     }
     return (most - least) / (most + indirect_pixels_dim);
+}
+
+double shares_evenness(double differ)
+{
+    double beyond = differ / indirect_pixels_same - 1;
+    return fmin(fmax(1 - beyond / indirect_pixels_fade, 0), 1);
 }
 
 void corner_cell_ask(const struct corner_store *store, struct worker *worker,
@@ -354,4 +361,11 @@ bool corner_cell_clear(const struct corner_store *store, struct worker *worker,
     if (cell->clear == 0)
         cell->clear = cell_clear(store, worker, cell, like) ? 1 : -1;
     return cell->clear > 0;
+}
+
+bool corner_cell_whole(const struct corner_store *store, struct worker *worker,
+                       struct corner_cell *cell, const struct receiver *like)
+{
+    return cell->differ <= indirect_pixels_even ||
+           corner_cell_clear(store, worker, cell, like);
 }

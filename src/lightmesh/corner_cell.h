@@ -10,9 +10,10 @@
 #include "lightmesh/corner_store.h"
 
 /* Whether the cell is flat, on the receiver's plane and about it, and its
- * corners near enough to serve; if so *weight, which the grid's corners would
- * have, is made that of what stands for them. */
-enum corner_hold { CELL_BENT, CELL_FAR, CELL_HOLDS };
+ * corners near enough to serve: all of its own or, if it is clipped, what
+ * stands for them, whose weights are put into *weight, which has those of the
+ * grid's. */
+enum corner_hold { CELL_BENT, CELL_FAR, CELL_HOLDS, CELL_CLIPPED };
 
 enum corner_hold corner_cell_holds(const struct corner_store *store,
                                    struct worker *worker,
@@ -27,6 +28,16 @@ void corner_cell_ask(const struct corner_store *store, struct worker *worker,
 
 /* By how much two of so many shares differ, as a part of the larger one. */
 double shares_differ(const struct indirect_share *const *shares, int count);
+
+/* How far corners that differ so much are enough for those between them, 0 to
+ * 1: those that are nearly so count in part, or all of their cell would change
+ * at once where light moves. */
+double shares_evenness(double differ);
+
+/* Whether what a flat cell says at its corners holds between them, as they
+ * differ little or nothing stands there. */
+bool corner_cell_whole(const struct corner_store *store, struct worker *worker,
+                       struct corner_cell *cell, const struct receiver *like);
 
 /* Whether all corners are there and see each other: then nothing stands between
  * them and a place in their midst. */

@@ -140,18 +140,28 @@ const struct corner *corner_store_corner(const struct corner_store *store,
     return record;
 }
 
-/* What the place of that name gets. */
-static const struct corner_light *
-light_at(const struct corner_store *store, struct worker *worker, uint64_t key,
-         const struct corner *corner, const struct corner_cell *cell,
-         const struct receiver *like, bool *kept)
+/* A place that asks for indirect light, and its name. */
+struct light_place {
+    uint64_t key;
+    const struct corner *corner;
+    int coarser;
+};
+
+/* What it gets, and whether that is kept. */
+static const struct corner_light *light_at(const struct corner_store *store,
+                                           struct worker *worker,
+                                           const struct light_place *place,
+                                           const struct receiver *like,
+                                           bool *kept)
 {
     void *record;
-    enum table_state state = corner_record(store->lights, worker, key, &record);
+    enum table_state state =
+        corner_record(store->lights, worker, place->key, &record);
     *kept = state != TABLE_NONE;
     if (state == TABLE_READY)
         return record;
-    struct receiver receiver = corner_receiver(corner, like, cell->coarser);
+    struct receiver receiver =
+        corner_receiver(place->corner, like, place->coarser);
     corner_ask(record, store->mesh, worker, &receiver, &store->mesh->near);
     if (state == TABLE_MINE)
         table_publish(store->lights, record);
@@ -166,11 +176,12 @@ const struct corner_light *corner_store_light(const struct corner_store *store,
     bool kept;
     if (cell->light[i])
         return cell->light[i];
-    const struct corner *corner =
-        corner_store_corner(store, worker, cell, i, like);
-    const struct corner_light *light = light_at(
-        store, worker, grid_corner_key(&cell->name, i, cell->coarser, 0),
-        corner, cell, like, &kept);
+    const struct light_place place = {
+        grid_corner_key(&cell->name, i, cell->coarser, 0),
+        corner_store_corner(store, worker, cell, i, like), cell->coarser
+    };
+    const struct corner_light *light =
+        light_at(store, worker, &place, like, &kept);
     if (kept)
         cell->light[i] = light;
     return light;
@@ -182,10 +193,12 @@ struct indirect_share corner_store_share(const struct corner_store *store,
                                          const struct receiver *like)
 {
     bool kept;
-    const struct cell_place *place = &cell->place[i];
-    if (place->way == 0)
+    const struct cell_place *found = &cell->place[i];
+    if (found->way == 0)
         return corner_store_light(store, worker, cell, i, like)->share;
-    uint64_t key = grid_corner_key(&cell->name, i, cell->coarser, place->way);
-    return light_at(store, worker, key, &place->corner, cell, like, &kept)
-        ->share;
+    const struct light_place place = {
+        grid_corner_key(&cell->name, i, cell->coarser, found->way),
+        &found->corner, cell->coarser
+    };
+    return light_at(store, worker, &place, like, &kept)->share;
 }

@@ -105,7 +105,7 @@ static void corners_begin(struct corners *corners, const struct asking *ask,
     memcpy(corners->weight, name->weight, sizeof corners->weight);
     corners->hold = corner_cell_holds(pixels->store, ask->worker, corners->cell,
                                       ask->receiver, corners->weight);
-    if (corners->hold == CELL_HOLDS)
+    if (corners->hold >= CELL_HOLDS)
         corner_cell_ask(pixels->store, ask->worker, corners->cell,
                         ask->receiver);
 }
@@ -150,7 +150,7 @@ static double corners_differ(const struct corners *corners,
                              const struct asking *ask)
 {
     const struct indirect_share *shares[GRID_CORNERS];
-    if (corners->count == GRID_CORNERS && !corners->cell->clipped) {
+    if (corners->count == GRID_CORNERS && corners->hold != CELL_CLIPPED) {
         corner_cell_ask(ask->pixels->store, ask->worker, corners->cell,
                         ask->receiver);
         return corners->cell->differ;
@@ -262,15 +262,6 @@ static bool corners_blend(struct corners at[2], const struct asking *ask,
     return true;
 }
 
-/* How far corners that differ so much are enough, up to 1: those that are
- * nearly so count in part, or all of their cell would change at once where
- * light moves. */
-static double evenness(double differ)
-{
-    double beyond = differ / indirect_pixels_same - 1;
-    return fmin(fmax(1 - beyond / indirect_pixels_fade, 0), 1);
-}
-
 /* How far corners twice as far apart are enough, which say about the same
  * there, and what they say. Those that hold aren't found by that. */
 static double coarse_light(struct corners *corners, const struct asking *ask,
@@ -278,10 +269,8 @@ static double coarse_light(struct corners *corners, const struct asking *ask,
 {
     double enough;
     corners->missing = true;
-    if (corners->hold == CELL_HOLDS && corners->cell->clipped)
-        return 0;
     if (corners->hold == CELL_HOLDS) {
-        enough = evenness(corners->cell->differ);
+        enough = shares_evenness(corners->cell->differ);
         if (enough > 0)
             *share = corners_flat_share(corners);
         return enough;
@@ -291,7 +280,7 @@ static double coarse_light(struct corners *corners, const struct asking *ask,
     if (corners->missing)
         return 0;
     corners_ask(corners, ask);
-    enough = evenness(corners_differ(corners, ask));
+    enough = shares_evenness(corners_differ(corners, ask));
     if (enough > 0)
         *share = corners_light(corners, ask);
     return enough;
@@ -305,10 +294,11 @@ static void coarse_blend(const struct asking *ask, struct indirect_share *share)
     if (ask->blend <= 0)
         return;
     corners_begin(&coarser, ask, ask->level + 2);
-    if (coarser.hold != CELL_HOLDS || coarser.cell->clipped)
+    if (coarser.hold != CELL_HOLDS)
         return;
     const struct indirect_share more = corners_flat_share(&coarser);
-    share_blend(share, &more, ask->blend * evenness(coarser.cell->differ));
+    share_blend(share, &more,
+                ask->blend * shares_evenness(coarser.cell->differ));
 }
 
 static bool cell_is_even(const struct corners *corners)
@@ -317,30 +307,32 @@ static bool cell_is_even(const struct corners *corners)
            corners->cell->differ <= indirect_pixels_even;
 }
 
-/* The same, or nothing stands in it. */
-static bool cell_is_clear(const struct corners *corners,
-                          const struct asking *ask)
-{
-    return cell_is_even(corners) ||
-           (corners->hold == CELL_HOLDS &&
-            corner_cell_clear(ask->pixels->store, ask->worker, corners->cell,
-                              ask->receiver));
-}
-
-/* Between flat cells that are even, if both are that are wanted; what stands
- * for corners is asked in no other way. */
-static bool cells_light(const struct corners at[2], const struct asking *ask,
+/* Between flat cells that are even, if both are that are wanted. */
+static bool cells_light(const struct corners at[2], double blend,
                         struct indirect_share *share)
 {
-    bool clipped = at[0].hold == CELL_HOLDS && at[0].cell->clipped;
-    bool mixed = ask->blend > 0 && at[1].hold != CELL_FAR;
-    if (clipped)
-        mixed = mixed && cell_is_clear(&at[1], ask);
-    if (!(clipped ? cell_is_clear(&at[0], ask) : cell_is_even(&at[0])) ||
-        (mixed && !clipped && !cell_is_even(&at[1])))
+    bool mixed = blend > 0 && at[1].hold != CELL_FAR;
+    if (!cell_is_even(&at[0]) || (mixed && !cell_is_even(&at[1])))
         return false;
     *share = corners_flat_share(&at[0]);
     if (mixed) {
+        const struct indirect_share coarse = corners_flat_share(&at[1]);
+        share_blend(share, &coarse, blend);
+    }
+    return true;
+}
+
+/* What stands for corners is asked in no other way. */
+static bool clipped_light(const struct corners at[2], const struct asking *ask,
+                          struct indirect_share *share)
+{
+    if (!corner_cell_whole(ask->pixels->store, ask->worker, at[0].cell,
+                           ask->receiver))
+        return false;
+    *share = corners_flat_share(&at[0]);
+    if (ask->blend > 0 && at[1].hold >= CELL_HOLDS &&
+        corner_cell_whole(ask->pixels->store, ask->worker, at[1].cell,
+                          ask->receiver)) {
         const struct indirect_share coarse = corners_flat_share(&at[1]);
         share_blend(share, &coarse, ask->blend);
     }
@@ -352,12 +344,13 @@ static bool fine_light(struct corners at[2], const struct asking *ask,
                        struct indirect_share *share)
 {
     corners_begin(&at[0], ask, ask->level);
-    if (cells_light(at, ask, share))
+    if (at[0].hold == CELL_CLIPPED ? clipped_light(at, ask, share)
+                                   : cells_light(at, ask->blend, share))
         return true;
     corners_find(&at[0], ask, false);
     if (at[0].sum < indirect_pixels_enough)
         return lone_light(ask, share);
-    if (at[1].hold == CELL_HOLDS && !at[1].cell->clipped) {
+    if (at[1].hold == CELL_HOLDS) {
         corners_find(&at[1], ask, true);
         corners_ask(&at[1], ask);
     }
