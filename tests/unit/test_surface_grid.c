@@ -104,6 +104,28 @@ static void names_differ(void **state)
         for (int j = 0; j < i; j++)
             assert_true(keys[i] != keys[j]);
     assert_true(keys[0] != grid_corner_key(&cell, 0, 3, 0) && keys[0] != 0);
+    for (int way = 1; way <= 8; way++)
+        for (int kind = 0; kind < 4; kind++)
+            assert_true(grid_corner_key(&cell, 0, kind, way) !=
+                        grid_corner_key(&cell, 0, kind, way - 1));
+}
+
+/* From corner to corner it is a step along one of the two axes, and as much
+ * along the third as keeps it on the surface. */
+static void cells_go_along_their_surface(void **state)
+{
+    struct surface_grid grid = grid_at(vec3_make(0, 3, -4));
+    struct receiver receiver = on_slope(1, 2, vec3_make(0, 3, -4));
+    struct grid_cell cell;
+    (void)state;
+    assert_true(surface_grid_cell(&grid, &receiver, 10, &cell));
+    for (int axis = 0; axis < 2; axis++) {
+        vec3 along = grid_cell_along(&cell, receiver.side, axis, 0.5);
+        const double parts[3] = { along.x, along.y, along.z };
+        assert_double_equal(vec3_dot(along, receiver.side), 0, 1e-12);
+        assert_double_equal(parts[(cell.axis + 1 + axis) % 3], 0.5, 0);
+        assert_double_equal(parts[(cell.axis + 2 - axis) % 3], 0, 0);
+    }
 }
 
 /* So far away there are no names. */
@@ -124,6 +146,7 @@ int main(void)
         cmocka_unit_test(corners_are_around),
         cmocka_unit_test(corners_stay),
         cmocka_unit_test(names_differ),
+        cmocka_unit_test(cells_go_along_their_surface),
         cmocka_unit_test(far_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
