@@ -73,30 +73,19 @@ struct corner_cell *corner_store_cell(const struct corner_store *store,
     return cell;
 }
 
-/* The way from a place to the camera. */
-static vec3 way_to_camera(const struct camera *camera, vec3 from)
-{
-    if (camera->kind->lines == CAMERA_CENTRAL)
-        return vec3_sub(camera->location, from);
-    struct ray line = camera_ray(camera, 0.5, 0.5);
-    double before =
-        vec3_dot(vec3_sub(line.origin, from), vec3_normalise(line.direction));
-    return vec3_scale(vec3_normalise(line.direction), before);
-}
-
 /* Whether the camera sees the corner, from so little above it: else it may be
- * in a body that stands on its surface. Cameras that look in any way say yes.
- */
+ * in a body that stands on its surface. Cameras that don't look from one place
+ * say yes. */
 static bool corner_shows(const struct corner_store *store,
                          struct worker *worker, const struct corner *corner,
                          double step)
 {
     const struct camera *camera = store->camera;
-    if (camera->kind->lines > CAMERA_PARALLEL)
+    if (camera->kind->lines != CAMERA_CENTRAL)
         return true;
     vec3 from =
         vec3_along(corner->point, corner->side, indirect_pixels_lift * step);
-    vec3 way = way_to_camera(camera, from);
+    vec3 way = vec3_sub(camera->location, from);
     double length = vec3_length(way);
     if (!(length > 0))
         return true;
