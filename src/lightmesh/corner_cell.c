@@ -74,7 +74,8 @@ static void clipping_move(const struct clipping *clipping, int corner, int way,
 }
 
 /* Finds what stands for the one that is missing beside corner `from` along an
- * axis. */
+ * axis. Where its line met another surface, as that of a ball which lies here,
+ * light falls off towards that, and what is said beside doesn't do. */
 static bool clipping_beside(struct clipping *clipping, int from, int axis)
 {
     struct corner_cell *cell = clipping->cell;
@@ -85,7 +86,7 @@ static bool clipping_beside(struct clipping *clipping, int from, int axis)
         clipping_clear(clipping, cell->place[from].corner.point, along);
     if (clear >= 1 && !clipping->hidden[missing]) {
         cell->place[missing].like = from;
-        return true;
+        return !(cell->place[missing].corner.reach > 0);
     }
     double far = clear < 1 ? clear - clip_before : 1;
     if (far < clip_least)
