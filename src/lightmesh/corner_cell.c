@@ -62,6 +62,16 @@ static double clipping_clear(const struct clipping *clipping, vec3 from,
                : 1;
 }
 
+/* From a corner to the one beside it along an axis, and what that way is
+ * called: 1 to 4. */
+static vec3 clipping_way(const struct clipping *clipping, int from, int axis,
+                         int *way)
+{
+    bool low = from >> axis & 1;
+    *way = 1 + 2 * axis + low;
+    return vec3_scale(clipping->along[axis], low ? -1 : 1);
+}
+
 /* Puts another place there instead of a corner, so far from corner `from`. */
 static void clipping_move(const struct clipping *clipping, int corner, int way,
                           int from, vec3 along)
@@ -79,9 +89,9 @@ static void clipping_move(const struct clipping *clipping, int corner, int way,
 static bool clipping_beside(struct clipping *clipping, int from, int axis)
 {
     struct corner_cell *cell = clipping->cell;
-    int missing = from ^ (1 << axis), row = from >> (1 - axis) & 1;
+    int missing = from ^ (1 << axis), row = from >> (1 - axis) & 1, way;
     bool low = from >> axis & 1;
-    vec3 along = vec3_scale(clipping->along[axis], low ? -1 : 1);
+    vec3 along = clipping_way(clipping, from, axis, &way);
     double clear =
         clipping_clear(clipping, cell->place[from].corner.point, along);
     if (clear >= 1 && !clipping->hidden[missing]) {
@@ -91,8 +101,7 @@ static bool clipping_beside(struct clipping *clipping, int from, int axis)
     double far = clear < 1 ? clear - clip_before : 1;
     if (far < clip_least)
         return false;
-    clipping_move(clipping, missing, 1 + 2 * axis + low, from,
-                  vec3_scale(along, far));
+    clipping_move(clipping, missing, way, from, vec3_scale(along, far));
     cell->end[axis][row][low ? 0 : 1] = low ? 1 - far : far;
     return true;
 }
@@ -131,12 +140,11 @@ static bool clipping_alone(struct clipping *clipping, int missing)
     if (!clipping->hidden[missing])
         return false;
     for (int axis = 0; axis < 2; axis++) {
-        const int from = missing ^ (1 << axis);
-        bool low = from >> axis & 1;
-        vec3 along = vec3_scale(clipping->along[axis], low ? -1 : 1);
+        int from = missing ^ (1 << axis), way;
+        vec3 along = clipping_way(clipping, from, axis, &way);
         if (clipping_clear(clipping, place[from].corner.point, along) < 1)
             return false;
-        clipping_move(clipping, missing, 1 + 2 * axis + low, from, along);
+        clipping_move(clipping, missing, way, from, along);
     }
     return true;
 }
@@ -168,6 +176,8 @@ static bool cell_clip(struct clipping *clipping)
     struct corner_cell *cell = clipping->cell;
     const bool *has = clipping->has;
     cell->clipped = clipping->count < GRID_CORNERS;
+    if (!cell->clipped)
+        return true;
     for (int axis = 0; axis < 2; axis++)
         clipping->along[axis] =
             grid_cell_along(&cell->name, cell->plane.side, axis,
@@ -178,10 +188,8 @@ static bool cell_clip(struct clipping *clipping)
                clipping_across(clipping, clipping_first(clipping, true));
     case 2:
         return has[0] != has[3] && clipping_sides(clipping);
-    case 3:
-        return clipping_alone(clipping, clipping_first(clipping, false));
     default:
-        return true;
+        return clipping_alone(clipping, clipping_first(clipping, false));
     }
 }
 

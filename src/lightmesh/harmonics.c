@@ -1,11 +1,11 @@
 /* Irradiance from spherical harmonics: see harmonics.h. */
 #include "lightmesh/harmonics.h"
 
-/* What each coefficient gives a surface. The zonal ones of max(0, cosine)^b are
+/* The zonal ones of max(0, cosine)^b are
  * integrals of t^b P_l(t) over [0,1], times 2 pi; for b = 1 pi, 2 pi / 3 and
  * pi / 4. */
-static void harmonics_weights(vec3 normal, double brilliance,
-                              double weights[HARMONICS])
+void harmonics_weights(vec3 normal, double brilliance,
+                       double weights[HARMONICS])
 {
     const double tau = 6.283185307179586;
     double b = brilliance;
@@ -25,12 +25,10 @@ void harmonics_bump(vec3 side, vec3 normal, double weights[HARMONICS])
         weights[i] -= part * behind[i];
 }
 
-rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
-                         double brilliance)
+rgb harmonics_weighted(const struct harmonics *harmonics,
+                       const double weights[HARMONICS])
 {
-    double weights[HARMONICS];
     rgb light = rgb_grey(0);
-    harmonics_weights(normal, brilliance, weights);
     for (int i = 0; i < HARMONICS; i++) {
         light.r += weights[i] * (double)harmonics->r[i];
         light.g += weights[i] * (double)harmonics->g[i];
@@ -39,13 +37,28 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
     return rgb_make(fmax(light.r, 0), fmax(light.g, 0), fmax(light.b, 0));
 }
 
-double harmonics_share(const float share[HARMONICS], vec3 normal)
+double harmonics_weighted_share(const float share[HARMONICS],
+                                const double weights[HARMONICS])
 {
-    double weights[HARMONICS], sum = 0;
-    harmonics_weights(normal, 1, weights);
+    double sum = 0;
     for (int i = 0; i < HARMONICS; i++)
         sum += weights[i] * (double)share[i];
     return fmin(fmax(sum, 0), 1);
+}
+
+rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
+                         double brilliance)
+{
+    double weights[HARMONICS];
+    harmonics_weights(normal, brilliance, weights);
+    return harmonics_weighted(harmonics, weights);
+}
+
+double harmonics_share(const float share[HARMONICS], vec3 normal)
+{
+    double weights[HARMONICS];
+    harmonics_weights(normal, 1, weights);
+    return harmonics_weighted_share(share, weights);
 }
 
 rgb harmonics_received(const void *context, vec3 place, vec3 normal,

@@ -80,6 +80,16 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
 rgb harmonics_received(const void *context, vec3 place, vec3 normal,
                        const void *harmonics);
 
+/* What each coefficient gives a surface with this normal. */
+void harmonics_weights(vec3 normal, double brilliance,
+                       double weights[HARMONICS]);
+
+/* What they give together: light, no less than nothing, and a share, 0 to 1. */
+rgb harmonics_weighted(const struct harmonics *harmonics,
+                       const double weights[HARMONICS]);
+double harmonics_weighted_share(const float share[HARMONICS],
+                                const double weights[HARMONICS]);
+
 /* What each coefficient gives a bump with this normal on a surface that is lit
  * on `side`: nothing of what comes from behind the surface, which is known at
  * the normal away from it. Of light that is even there a bump that faces away

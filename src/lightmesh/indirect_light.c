@@ -54,29 +54,30 @@ void indirect_light_tint(struct indirect_light *light, rgb share)
     }
 }
 
+static struct indirect_share
+indirect_light_weighted(const struct indirect_light *light,
+                        const double weights[HARMONICS])
+{
+    return (struct indirect_share){
+        harmonics_weighted(&light->light, weights),
+        harmonics_weighted_share(light->open, weights),
+    };
+}
+
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal)
 {
-    return (struct indirect_share){
-        harmonics_irradiance(&light->light, normal, 1),
-        harmonics_share(light->open, normal),
-    };
+    double weights[HARMONICS];
+    harmonics_weights(normal, 1, weights);
+    return indirect_light_weighted(light, weights);
 }
 
 struct indirect_share indirect_light_bumped(const struct indirect_light *light,
                                             vec3 side, vec3 normal)
 {
-    double weights[HARMONICS], r = 0, g = 0, b = 0, open = 0;
+    double weights[HARMONICS];
     harmonics_bump(side, normal, weights);
-    for (int i = 0; i < HARMONICS; i++) {
-        r += weights[i] * (double)light->light.r[i];
-        g += weights[i] * (double)light->light.g[i];
-        b += weights[i] * (double)light->light.b[i];
-        open += weights[i] * (double)light->open[i];
-    }
-    return (struct indirect_share){
-        rgb_make(fmax(r, 0), fmax(g, 0), fmax(b, 0)), fmin(fmax(open, 0), 1)
-    };
+    return indirect_light_weighted(light, weights);
 }
 
 rgb bounce_toned(const struct bounce_tone *tone, rgb light)

@@ -26,8 +26,7 @@ struct surface_layer {
     vec3 normal;    /* unit, perturbed, towards the viewer's side */
     rgb weight;     /* what the layers above let through, 1 for the top one */
     rgb reflection; /* share of mirrored light, in [0,1] if the finish is */
-    double
-        reflection_weight; /* of the ray that looks there: see finish_mirror */
+    double reflection_weight; /* of the ray there: finish_mirror.weight */
 };
 
 struct picture_place;

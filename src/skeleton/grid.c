@@ -25,7 +25,7 @@ static const double camera_stretch = 4, other_stretch = 2;
 static const double vast = 16;
 /* The same where the picture needs no more than the chambers that it shows:
  * something small and far off would leave a cave two voxels [cave: .062 ->
- * .001]. */
+ * .003]. */
 static const double vast_still = 4;
 
 /* Without anything bounded walls are looked for up to here. */
