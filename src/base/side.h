@@ -24,4 +24,15 @@ static inline vec3 side_normal(int side)
                      side / 2 == 2 ? sign : 0);
 }
 
+/* And those along the next two axes. */
+static inline vec3 side_across(int side)
+{
+    return side_normal(2 * ((side / 2 + 1) % 3));
+}
+
+static inline vec3 side_down(int side)
+{
+    return side_normal(2 * ((side / 2 + 2) % 3));
+}
+
 #endif

@@ -41,6 +41,7 @@ static void mesh_finish(void *state)
     mesh_clear(mesh);
     void_skeleton_free(&mesh->close);
     emitters_free(mesh->emitters);
+    virtual_lights_free(mesh->virtual_lights);
     lamps_free(&mesh->lamps);
     memory_free(mesh);
 }
@@ -64,6 +65,21 @@ static void mesh_report_on(struct mesh_lighting *mesh)
     }
 }
 
+/* Those of the frame; NULL if no lamp lights its places. */
+static struct virtual_lights *
+mesh_virtual_lights(const struct mesh_lighting *mesh,
+                    const struct lighting_options *options)
+{
+    struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
+    struct virtual_lights *lights =
+        virtual_lights_new(&mesh->stamp.frame.lit, &mesh->lamps, &worker);
+    arena_free(worker.scratch);
+    if (lights->count > 0)
+        return lights;
+    virtual_lights_free(lights);
+    return NULL;
+}
+
 /* What is known already, and meshes for the rest. */
 static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
                        const struct outlook *outlook,
@@ -82,6 +98,8 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
         mesh->levels = known.levels;
     }
     const struct mesh_frame *frame = &mesh->stamp.frame;
+    if (done && frame->lit.count > 0 && frame->samples > 0)
+        mesh->virtual_lights = mesh_virtual_lights(mesh, options);
     done = done && interpolation &&
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
@@ -104,7 +122,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
 static struct survey mesh_survey(const struct mesh_lighting *mesh,
                                  const struct scene *scene,
                                  const struct lighting_options *options,
-                                 const struct bright *known)
+                                 const struct survey *known)
 {
     struct gather gather = {
         .lamps = &mesh->lamps,
@@ -123,7 +141,7 @@ static struct survey mesh_survey(const struct mesh_lighting *mesh,
     if (gather.onward || chamber)
         survey = survey_of(&gather, scene, &worker,
                            chamber ? CHAMBER_RAYS : SURVEY_RAYS, known);
-    if (survey.bright.count > 0)
+    if (survey.bright.count > 0 || survey.lit.count > 0)
         survey = survey_of(&gather, scene, &worker, BRIGHT_RAYS, known);
     arena_free(worker.scratch);
     return survey;
@@ -136,8 +154,10 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct lighting_options *options)
 {
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
-    mesh->survey = mesh_survey(mesh, scene, options,
-                               mesh->rooted ? &mesh->root.bright : NULL);
+    const struct survey known = { .lit = mesh->root.lit,
+                                  .bright = mesh->root.bright };
+    mesh->survey =
+        mesh_survey(mesh, scene, options, mesh->rooted ? &known : NULL);
     mesh->stamp.frame =
         plan_frame(scene, outlook, &mesh->survey, options->root, 0);
 }

@@ -23,6 +23,7 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     *plan = plan_new(scene, &mesh->lamps, &mesh->stamp.frame, interpolation,
                      skeleton ? mesh_close_light : NULL, skeleton);
     plan->indirect.bright = &mesh->stamp.frame.bright;
+    plan->indirect.virtual_lights = mesh->virtual_lights;
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;

@@ -11,6 +11,7 @@
 #include "lightmesh/outlook.h"
 #include "lightmesh/plan.h"
 #include "lightmesh/survey.h"
+#include "lightmesh/virtual_lights.h"
 
 struct mesh_lighting {
     struct lamps lamps;
@@ -19,6 +20,7 @@ struct mesh_lighting {
     struct survey survey;
     struct plan plan;
     struct emitters *emitters;               /* with indirect light */
+    struct virtual_lights *virtual_lights;   /* or NULL */
     struct indirect_mesh *indirect;          /* or NULL */
     struct indirect_pixels *indirect_pixels; /* likewise */
     struct void_skeleton close; /* what ends its bounces, if asked for */

@@ -242,14 +242,25 @@ static double disc_angle(const struct aim *aim, const struct aim_disc *disc)
     return WARP_PI * area * facing / ((square + area) * sqrt(square));
 }
 
-static uint64_t disc_key(const struct bright_disc *disc, double side)
+double bright_side(const struct bright *bright)
 {
-    int facing = side_of(disc->normal);
-    vec3 at = cell_at(disc->centre, facing, side);
+    return bright->radius / bright_round;
+}
+
+vec3 cell_middle(vec3 place, int facing, double side)
+{
+    vec3 at = cell_at(place, facing, side);
+    vec3 middle = vec3_scale(vec3_add(at, vec3_make(0.5, 0.5, 0.5)), side);
+    return vec3_along(middle, side_normal(facing), -side / 4);
+}
+
+uint64_t cell_key(vec3 place, int facing, double side)
+{
+    vec3 at = cell_at(place, facing, side);
     uint64_t key = (uint64_t)facing;
     for (int axis = 0; axis < 3; axis++)
         key = random_key(key, (uint64_t)(int64_t)vec3_component(at, axis));
-    return key;
+    return key ? key : 1;
 }
 
 static void aim_lane(struct aim *aim, int i)
@@ -272,13 +283,14 @@ void aim_take(struct aim *aim, const struct bright *bright, vec3 place,
 {
     double share[BRIGHT_MOST], sum = 0;
     int count = 0;
+    double side = bright_side(bright);
     aim->radius = bright->radius;
     aim->rays = 0;
     for (int i = 0; i < bright->count; i++) {
         struct aim_disc *disc = &aim->disc[i];
         disc->offset = vec3_sub(bright->at[i].centre, place);
         disc->normal = bright->at[i].normal;
-        disc->key = disc_key(&bright->at[i], bright->radius / bright_round);
+        disc->key = cell_key(bright->at[i].centre, side_of(disc->normal), side);
         sum += share[i] = bright->at[i].worth * disc_angle(aim, disc);
     }
     for (int i = 0; i < bright->count; i++) {

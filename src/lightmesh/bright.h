@@ -35,10 +35,17 @@ struct bright_hit {
     vec3 normal;            /* of what it met, against the ray; unit */
     double distance;        /* HUGE_VAL: it left the scene */
     double light;
+    double lamps; /* what of it lamps give the surface */
 };
 
 /* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
+
+/* The side of their cells; the middle of the cell of that side that a place is
+ * in which faces so (side.h); and its name, never 0. */
+double bright_side(const struct bright *bright);
+vec3 cell_middle(vec3 place, int facing, double side);
+uint64_t cell_key(vec3 place, int facing, double side);
 
 /* Discs side by side, for aim_density. */
 struct aim_lanes {

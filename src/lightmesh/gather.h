@@ -13,6 +13,7 @@
 
 struct indirect_mesh;
 struct onwards;
+struct virtual_lights;
 
 /* The irradiance of light from everywhere that ends a row of bounces, and
  * stands in where a place sees no mesh point; false where it isn't known.
@@ -27,6 +28,9 @@ struct gather {
     const struct indirect_mesh *indirect; /* of one bounce less, or NULL */
     const struct indirect_light *here;    /* around what rays meet first; NULL:
                                            * `indirect` is asked */
+    const struct virtual_lights *virtual_lights; /* what these bring to mesh
+                                                  * points gather rays don't;
+                                                  * NULL: there are none */
     double reach; /* of what `here` does not know: what is nearer hides part of
                    * it from what rays meet, ... */
     double crevice;           /* as much as the place is in one, 0 to 1 */
@@ -75,6 +79,7 @@ struct gathered_ray {
     double open;            /* to the ambient light outside, 0 to 1 */
     rgb glow;               /* of the light, what its first surface has of its
                              * own */
+    rgb lamps;              /* likewise, what it has of lamps */
     struct intersection at; /* where; at.leaf NULL: nowhere */
 };
 

@@ -7,6 +7,7 @@
 #include "scene/material.h"
 #include "scene/pattern.h"
 #include "scene/spots.h"
+#include "shade/finish.h"
 
 enum { PLACES = 6 };
 
@@ -71,4 +72,11 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
         .smooth = true,
     };
     surface_fill(surface, at, &view);
+}
+
+rgb gather_albedo(const struct surface *surface, double sky)
+{
+    double most = RETURNED_MOST / (1 + surface_behind(surface));
+    return rgb_scale(albedo_bounded(surface_returned(surface), most),
+                     1 - fmin(sky, 1));
 }

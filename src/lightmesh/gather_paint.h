@@ -20,4 +20,8 @@ void gather_surface(const struct gather *gather, const struct ray *ray,
  */
 void gather_paint(struct surface *surface, double radius);
 
+/* What a gather ray gets of irradiance of the surface, of which the part `sky`
+ * is open (surface_sky). */
+rgb gather_albedo(const struct surface *surface, double sky);
+
 #endif

@@ -2,6 +2,7 @@
 #include "lightmesh/gather_rays.h"
 
 #include "lightmesh/gather_lamps.h"
+#include "lightmesh/virtual_lights.h"
 #include "scene/material.h"
 #include "shade/shadow.h"
 
@@ -22,6 +23,10 @@ static void gather_rays_light(const struct gather *gather,
         if (!at->leaf || !texture_takes_light(at->texture))
             continue;
         vec3 way = rays_direction(&sent->rays, (int)i);
+        if (gather->virtual_lights &&
+            virtual_lights_share(gather->virtual_lights, at->point,
+                                 vec3_against(at->face, way), at->t) >= 1)
+            continue;
         lit->at[i] =
             (struct lit_place){ at->point, vec3_against(at->normal, way),
                                 at->leaf };

@@ -5,6 +5,8 @@
 #include "base/warp.h"
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_rays.h"
+#include "lightmesh/gather_virtual.h"
+#include "lightmesh/virtual_lights.h"
 #include "lightmesh/tuning.h"
 
 /* A mesh point that gathers. */
@@ -234,6 +236,20 @@ static void gatherer_cells(const struct gatherer *gatherer,
     gatherer_settle(gatherer, brought, waiting, sum);
 }
 
+/* Moves a place of the unit square, round its edges, for each part by another
+ * of a net of eight (Cranley and Patterson 1976; Hammersley's points): each
+ * part keeps its own net, and of few rays those of all parts are even as well.
+ */
+static void part_shift(uint32_t part, double u[2])
+{
+    static const double second[GATHER_PARTS] = { 0,     0.5,   0.25,  0.75,
+                                                 0.125, 0.625, 0.375, 0.875 };
+    u[0] += (double)part / GATHER_PARTS;
+    u[1] += second[part];
+    u[0] -= floor(u[0]);
+    u[1] -= floor(u[1]);
+}
+
 /* And of what is sent to one bright place. What is worth more rays sends the
  * same ones and others: a picture's light changes by little when another finds
  * the place a little brighter. */
@@ -241,13 +257,15 @@ static void gatherer_aim_at(const struct gatherer *gatherer,
                             const struct aim_disc *disc,
                             struct waiting *waiting, struct gathered *sum)
 {
-    struct draws draws = { random_key(gatherer->mesh->gather.lamps->seed,
-                                      disc->key),
-                           gatherer_part(gatherer) * AIM_RAYS_MOST };
+    const uint32_t part = gatherer_part(gatherer);
+    struct draws draws = {
+        random_key(gatherer->mesh->gather.lamps->seed, disc->key), 0
+    };
     for (uint32_t i = 0; i < disc->rays && !worker_stopped(gatherer->worker);
          i++, draws.index++) {
         double u[2];
         draw_pair(&draws, GATHER_DIRECTION, u);
+        part_shift(part, u);
         vec3 way = aim_way(&gatherer->aim, disc, u);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
             gatherer_send(gatherer, &draws, way, fmin(disc->rays - i, 1),
@@ -285,6 +303,30 @@ static void gatherer_pick(const struct gatherer *gatherer,
     }
 }
 
+/* What virtual lights bring. */
+static void gatherer_virtual(const struct gatherer *gatherer,
+                             struct gathered *sum)
+{
+    const struct gather *gather = &gatherer->mesh->gather;
+    struct gathered_glow found[RAY_LANES];
+    unsigned part = gatherer->site->lone
+                        ? (unsigned)(gatherer->site->key % GATHER_PARTS)
+                        : gatherer_part(gatherer);
+    int next = 0;
+    while (next < gather->virtual_lights->count &&
+           !worker_stopped(gatherer->worker)) {
+        unsigned count =
+            gather_virtual(gather, gatherer->worker, gatherer->site->place,
+                           part, &next, found);
+        for (unsigned i = 0; i < count; i++) {
+            const struct brought brought = { found[i].light, 0,
+                                             found[i].density };
+            gathered_add(sum, gatherer, found[i].direction, &brought,
+                         gatherer->count);
+        }
+    }
+}
+
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none, 0 };
@@ -294,6 +336,8 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
     waiting.brought = NULL;
     bool cells =
         !gatherer->site->lone && gatherer->even == gatherer->mesh->cells.count;
+    if (gatherer->mesh->gather.virtual_lights)
+        gatherer_virtual(gatherer, &sum);
     gatherer_aim(gatherer, &waiting, &sum);
     (cells ? gatherer_cells : gatherer_even)(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))

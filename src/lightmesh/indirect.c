@@ -25,6 +25,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .together = options->closed && direct->lamps->count <= GATHER_EACH,
         .onward = options->onward,
         .tone = options->tone,
+        .virtual_lights = options->virtual_lights,
     };
     mesh->samples = options->samples;
     mesh->gather.wide = 2 / sqrt(fmax(options->samples, 1));

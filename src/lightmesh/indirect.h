@@ -37,7 +37,8 @@ struct indirect_options {
                                      * and to more of these in a pixel */
     const struct bright *bright;    /* where most light comes from; NULL: nobody
                                      * looked */
-    size_t bytes;                   /* of memory, all bounces together */
+    const struct virtual_lights *virtual_lights; /* NULL: there are none */
+    size_t bytes; /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;

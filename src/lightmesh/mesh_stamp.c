@@ -183,6 +183,40 @@ bool mesh_stamp_same(const struct mesh_stamp *made,
     return !changed;
 }
 
+/* Returns what comes after. */
+static double *discs_put(const struct bright *bright, double *to)
+{
+    for (int i = 0; i < bright->count; i++, to += FRAME_DISC_NUMBERS) {
+        const struct bright_disc *disc = &bright->at[i];
+        const double numbers[FRAME_DISC_NUMBERS] = {
+            disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
+            disc->normal.y, disc->normal.z, disc->worth
+        };
+        memcpy(to, numbers, sizeof numbers);
+    }
+    return to;
+}
+
+static const double *discs_take(struct bright *bright, double count,
+                                double radius, const double *from)
+{
+    bright->count = (int)fmin(fmax(count, 0), BRIGHT_MOST);
+    bright->radius = radius;
+    for (int i = 0; i < bright->count; i++, from += FRAME_DISC_NUMBERS)
+        bright->at[i] = (struct bright_disc){ { from[0], from[1], from[2] },
+                                              { from[3], from[4], from[5] },
+                                              from[6] };
+    return from;
+}
+
+static bool discs_possible(const struct bright *bright)
+{
+    for (int i = 0; i < bright->count; i++)
+        if (!(bright->at[i].worth > 0))
+            return false;
+    return bright->count == 0 || bright->radius > 0;
+}
+
 void mesh_frame_put(const struct mesh_frame *frame,
                     double numbers[MESH_FRAME_NUMBERS])
 {
@@ -193,20 +227,13 @@ void mesh_frame_put(const struct mesh_frame *frame,
         f->centre.z,       f->size,        f->gather,         f->samples,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
         f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
-        f->edged,
+        f->edged,          f->lit.count,   f->lit.radius,
     };
     double *to = numbers + FRAME_OWN_NUMBERS;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
     memcpy(numbers, first, sizeof first);
-    for (int i = 0; i < f->bright.count; i++) {
-        const struct bright_disc *disc = &f->bright.at[i];
-        const double of_disc[FRAME_DISC_NUMBERS] = {
-            disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
-            disc->normal.y, disc->normal.z, disc->worth
-        };
-        memcpy(to, of_disc, sizeof of_disc);
-        to += FRAME_DISC_NUMBERS;
-    }
+    to = discs_put(&f->bright, to);
+    discs_put(&f->lit, to);
 }
 
 void mesh_frame_take(struct mesh_frame *frame,
@@ -226,14 +253,9 @@ void mesh_frame_take(struct mesh_frame *frame,
         .edged = (int)fmin(fmax(n[20], 0), 1e6),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
-        .bright = { .count = (int)fmin(fmax(n[18], 0), BRIGHT_MOST),
-                    .radius = n[19] },
     };
-    for (int i = 0; i < frame->bright.count; i++, from += FRAME_DISC_NUMBERS)
-        frame->bright.at[i] =
-            (struct bright_disc){ { from[0], from[1], from[2] },
-                                  { from[3], from[4], from[5] },
-                                  from[6] };
+    from = discs_take(&frame->bright, n[18], n[19], from);
+    discs_take(&frame->lit, n[21], n[22], from);
 }
 
 bool mesh_frame_possible(const struct mesh_frame *frame)
@@ -243,11 +265,9 @@ bool mesh_frame_possible(const struct mesh_frame *frame)
     for (int i = 0; i < MESH_FRAME_NUMBERS; i++)
         if (!isfinite(numbers[i]))
             return false;
-    for (int i = 0; i < frame->bright.count; i++)
-        if (!(frame->bright.at[i].worth > 0))
-            return false;
-    return frame->spacing > 0 && frame->wanted > 0 && frame->near >= 0 &&
-           frame->size >= 0 && frame->gather > 0 && frame->bright.radius >= 0;
+    return discs_possible(&frame->bright) && discs_possible(&frame->lit) &&
+           frame->spacing > 0 && frame->wanted > 0 && frame->near >= 0 &&
+           frame->size >= 0 && frame->gather > 0;
 }
 
 uint64_t mesh_stamp_family(const struct mesh_stamp *stamp)

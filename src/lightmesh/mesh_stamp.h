@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 15 };
+enum { MESH_VERSION = 16 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -29,14 +29,16 @@ struct mesh_frame {
                     * differ (way_cells.h) */
     bool closed;   /* the skeleton ends the bounces, */
     struct indirect_share around; /* or this does */
+    struct bright lit;            /* whose light virtual lights bring */
     struct bright bright;         /* where some of the rays go */
 };
 
 /* All of it as numbers, for files and hashes. */
 enum {
-    FRAME_OWN_NUMBERS = 21,
+    FRAME_OWN_NUMBERS = 23,
     FRAME_DISC_NUMBERS = 7,
-    MESH_FRAME_NUMBERS = FRAME_OWN_NUMBERS + FRAME_DISC_NUMBERS * BRIGHT_MOST
+    MESH_FRAME_NUMBERS =
+        FRAME_OWN_NUMBERS + 2 * FRAME_DISC_NUMBERS * BRIGHT_MOST
 };
 void mesh_frame_put(const struct mesh_frame *frame,
                     double numbers[MESH_FRAME_NUMBERS]);

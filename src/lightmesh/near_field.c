@@ -219,6 +219,7 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
     };
     nearby.gather.indirect = mesh;
     nearby.gather.here = light;
+    nearby.gather.virtual_lights = NULL;
     nearby.gather.reach = nearby.reach;
     nearby.gather.onwards = &mesh->near_onwards;
     bool any = nearby_look_around(&nearby, light);

@@ -56,17 +56,16 @@ static int frame_samples(const struct light_mesh_settings *said,
                          const struct survey *survey, int times)
 {
     double finer = plan_finer(said);
-    double wanted = pow(survey->rough / gather_noise, gather_net);
+    bool closed = survey->open < open_enough;
+    double wanted = pow(survey->rough / (closed ? chamber_noise : gather_noise),
+                        gather_net);
     if (said->indirect.samples > 0)
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
         return 0;
-    bool closed = survey->open < open_enough;
     wanted =
         fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
-    if (closed && survey->bright.count > 0)
-        wanted = BRIGHT_PART * CHAMBER_WAYS;
-    else if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_MOST)
+    if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_WAYS)
         wanted = CHAMBER_WAYS;
     return rays_within(sqrt(2) * times * wanted * finer *
                        finer); /* the nearest */
@@ -109,6 +108,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .edged = closed ? times * CHAMBER_WAYS : 0,
         .closed = closed,
         .around = survey->around,
+        .lit = survey->lit,
         .bright = survey->bright,
     };
 }
@@ -138,11 +138,13 @@ bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root,
     if (own.closed != root->closed ||
         (own.samples > 0) != (root->samples > 0) ||
         (own.bright.count > 0) != (root->bright.count > 0) ||
+        (own.lit.count > 0) != (root->lit.count > 0) ||
         !(fabs(asked.direct) <= KEPT_LEVELS) ||
         !(fabs(asked.indirect) <= KEPT_LEVELS))
         return false;
     *frame = *root;
     frame->bright = own.bright;
+    frame->lit = own.lit;
     frame->around = own.around;
     *levels = asked;
     return true;

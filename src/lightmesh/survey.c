@@ -8,6 +8,7 @@
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
+#include "lightmesh/virtual_lights.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
@@ -57,6 +58,7 @@ static void sight_light(struct sight *sight, const struct gather *gather,
 /* What a gather ray brings, of what the picture shows there. */
 struct brought {
     double light, even; /* by so many rays per solid angle */
+    double lamps;       /* of the light, what hit.lamps is */
 };
 
 /* Of all gather rays. */
@@ -79,13 +81,13 @@ static rgb gathered_rest(const struct gather *gather,
                                           : found->light;
 }
 
-static struct bright_hit
-gathered_hit(const struct ray *ray, const struct gathered_ray *found, rgb light)
+static struct bright_hit gathered_hit(const struct ray *ray,
+                                      const struct gathered_ray *found)
 {
     struct bright_hit hit = { .origin = ray->origin,
                               .direction = ray->direction,
                               .distance = HUGE_VAL,
-                              .light = fmax(rgb_brightness(light), 0) };
+                              .light = 0 };
     if (!found->at.leaf)
         return hit;
     hit.normal = vec3_against(found->at.face, ray->direction);
@@ -154,14 +156,20 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
                            warp_lobe(u, sight->surface.side, 1) };
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
         sums->ends += gathered_ends(sums, &ray, &found);
-        sums->hits[first + (size_t)i] =
-            gathered_hit(&ray, &found, gathered_rest(sums->gather, &found));
+        struct bright_hit *hit = &sums->hits[first + (size_t)i];
+        *hit = gathered_hit(&ray, &found);
+        hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
+        hit->light = rgb_brightness(rgb_mul(
+                         sight->albedo, gathered_rest(sums->gather, &found))) +
+                     ambient * found.open;
+        hit->light = fmax(hit->light, 0);
         sight_add_behind(sight, sums, worker, ray, &draws, &found);
         rgb rest = gathered_rest(sums->gather, &found);
         double whole =
             rgb_brightness(rgb_mul(sight->albedo, rest)) + ambient * found.open;
         sums->brought[first + (size_t)i] = (struct brought){
-            whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI
+            whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI,
+            rgb_brightness(rgb_mul(sight->albedo, found.lamps))
         };
         brought += whole;
         changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) +
@@ -171,8 +179,10 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
     }
     double mean = brought / sums->each;
     double shown = fmax(sight->shown, 0) + mean + survey_dark;
-    for (int i = 0; i < sums->each; i++)
+    for (int i = 0; i < sums->each; i++) {
         sums->brought[first + (size_t)i].light /= shown;
+        sums->brought[first + (size_t)i].lamps /= shown;
+    }
     sums->worth += changed / sums->each / shown;
     sums->returned += rgb_brightness(sight->returned);
     sums->sights++;
@@ -279,7 +289,70 @@ static struct bright sums_bright(const struct sums *sums)
     return bright;
 }
 
-static struct survey sums_tell(struct sums *sums, const struct bright *known)
+/* What of lamps' light virtual lights bring: of each hit, a share. */
+static double hit_sent(const struct bright_hit *hit,
+                       const struct virtual_lights *lights)
+{
+    vec3 place = vec3_along(hit->origin, hit->direction, hit->distance);
+    return hit->lamps > 0
+               ? virtual_lights_share(lights, place, hit->normal, hit->distance)
+               : 0;
+}
+
+static double sums_sent(const struct sums *sums,
+                        const struct virtual_lights *lights)
+{
+    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    double sum = 0;
+    for (size_t i = 0; i < rays; i++)
+        sum += hit_sent(&sums->hits[i], lights) * sums->hits[i].lamps;
+    return sum;
+}
+
+/* All but what they bring. */
+static void sums_leave(struct sums *sums, const struct virtual_lights *lights)
+{
+    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    for (size_t i = 0; i < rays; i++) {
+        struct bright_hit *hit = &sums->hits[i];
+        double sent = hit_sent(hit, lights);
+        hit->light = fmax(hit->light - sent * hit->lamps, 0);
+        sums->brought[i].light -= sent * sums->brought[i].lamps;
+    }
+}
+
+/* Bright places that are lit by lamps, if much of all light is: those that are
+ * known if that is nearly as much. What virtual lights bring of it is left out
+ * of the sums. Fog would weaken it. */
+static struct bright sums_lit(struct sums *sums, const struct bright *known,
+                              struct worker *worker)
+{
+    const struct lamps *lamps = sums->gather->lamps;
+    struct bright lit = { .count = 0 }, found = sums_bright(sums);
+    double all = 0, sent, before = 0;
+    struct virtual_lights *lights, *older = NULL;
+    if (found.count == 0 || lamps->scene->fogs.count > 0)
+        return lit;
+    for (size_t i = 0; i < (size_t)sums->sights * (size_t)sums->each; i++)
+        all += sums->hits[i].light;
+    lights = virtual_lights_new(&found, lamps, worker);
+    sent = sums_sent(sums, lights);
+    if (known) {
+        older = virtual_lights_new(known, lamps, worker);
+        before = sums_sent(sums, older);
+    }
+    bool keep = before * bright_known > sent;
+    if (fmax(sent, before) > virtual_worth * all) {
+        sums_leave(sums, keep ? older : lights);
+        lit = keep ? *known : found;
+    }
+    virtual_lights_free(lights);
+    virtual_lights_free(older);
+    return lit;
+}
+
+static struct survey sums_tell(struct sums *sums, const struct survey *known,
+                               struct worker *worker)
 {
     double rays = (double)sums->sights * sums->each;
     struct survey survey = { .open = 1 };
@@ -290,24 +363,26 @@ static struct survey sums_tell(struct sums *sums, const struct bright *known)
     survey.around = sums_around(sums);
     if (survey.open < open_enough) {
         sums->choosing = sums->each / 2;
+        survey.lit = sums_lit(sums, known ? &known->lit : NULL, worker);
         survey.bright = sums_bright(sums);
     } else {
         known = NULL;
     }
-    survey.rough = sums_rough(sums, known, &survey.bright);
+    survey.rough =
+        sums_rough(sums, known ? &known->bright : NULL, &survey.bright);
     return survey;
 }
 
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
                         struct worker *worker, int rays,
-                        const struct bright *known)
+                        const struct survey *known)
 {
     enum { SIGHTS = SURVEY_EDGE * SURVEY_EDGE };
     struct sums sums = { .gather = gather, .each = rays };
     sums.hits = memory_new(SIGHTS * (size_t)rays * sizeof *sums.hits);
     sums.brought = memory_new(SIGHTS * (size_t)rays * sizeof *sums.brought);
     sums_gather(&sums, scene, worker);
-    struct survey survey = sums_tell(&sums, known);
+    struct survey survey = sums_tell(&sums, known, worker);
     memory_free(sums.hits);
     memory_free(sums.brought);
     return survey;

@@ -15,7 +15,9 @@ struct survey {
     double rough; /* by how much one of them differs from another, some being
                    * aimed at what is bright: root mean square, relative to what
                    * the picture shows */
-    struct bright bright;         /* where most of it comes from */
+    struct bright lit;    /* bright places whose light virtual lights bring; 0:
+                           * none */
+    struct bright bright; /* where most of the rest comes from */
     struct indirect_share around; /* what surfaces give each other, mean */
 };
 
@@ -27,7 +29,7 @@ struct survey survey_none(void);
  * that are found. */
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
                         struct worker *worker, int rays,
-                        const struct bright *known);
+                        const struct survey *known);
 
 /* Takes a line: what, how much, and its unit or "". */
 typedef void survey_row(void *context, const char *what, double amount,

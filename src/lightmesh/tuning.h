@@ -28,7 +28,7 @@ enum {
     SURVEY_EDGE = 16,  /* the same that tell what indirect light is worth, */
     SURVEY_RAYS = 4,   /* gather rays of each, */
     CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
-    BRIGHT_RAYS = 128, /* or, where most of it comes from few places; */
+    BRIGHT_RAYS = 64,  /* or, where most of it comes from few places; */
     SURVEY_PANES = 4,  /* and how many panes both pass: */
 };
 static const double pane_least = 0.5; /* of the light they let so much pass */
@@ -190,11 +190,9 @@ enum {
     OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
     GATHER_FEW = 32,    /* and else */
-    CHAMBER_LEAST = 96, /* the same where little light leaves the scene
-                         * [plates_glow], */
-    CHAMBER_MOST = 256, /* and at most: who wants more sends, */
-    CHAMBER_WAYS = 128, /* everywhere alike, so many, and others where they
-                         * differ [blocks, cornell, flicker] */
+    CHAMBER_LEAST = 32, /* the same where little light leaves the scene, */
+    CHAMBER_WAYS = 128, /* and at most: others are sent where these differ
+                         * [blocks, courtyard], and more where that is said */
     CHAMBER_ANIMATED = 2, /* times as many for the pictures of an animation
                            * [flicker] */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
@@ -212,7 +210,7 @@ enum {
     GATHER_PANES = 64,    /* that a ray passes */
     GATHER_MIRRORS = 3,   /* on one way */
     CLOSE_VOXELS = 48,    /* of the closing skeleton, along the longest side */
-    CLOSE_RAYS = 120000,  /* between its walls */
+    CLOSE_RAYS = 40000,   /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
     NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
@@ -300,6 +298,21 @@ static const double bright_least =
 static const double bright_fade = 2;   /* what has so much more is worth most */
 static const double bright_gain = 0.8; /* of the variance there is without is
                                         * worth aiming at them */
+/* Virtual lights [room]. */
+enum {
+    VIRTUAL_LEAST = 12,
+    VIRTUAL_MOST = 32, /* for a mesh point */
+    VIRTUAL_EDGE = 16,
+    VIRTUAL_EDGE_LEAST = 4, /* rays along a cell's edge that
+                             * look at it, */
+    VIRTUAL_RAYS = 8192,    /* and in all */
+};
+static const double virtual_worth = 0.05; /* of all light, to be worth any */
+static const double virtual_cell = 3;     /* along a cell that is all lit */
+static const double virtual_near = 0.75,
+                    virtual_far = 1.5; /* distances between them
+                                        * at which they serve */
+
 static const double bright_known = 1.25; /* of the variance there is with those
                                           * that are found: by those of another
                                           * picture of an animation there may
@@ -308,7 +321,10 @@ static const double bright_cells = 10;   /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
-static const double gather_noise = 0.009; /* of the picture */
+static const double gather_noise = 0.009;  /* of the picture, */
+static const double chamber_noise = 0.012; /* and in chambers, where neighbours
+                                            * send other rays [room, kitchen]
+                                            */
 static const double gather_edge = 3;   /* in chambers: see way_cells.h [blocks,
                                         * cornell, flicker] */
 static const double gather_net = 1.43; /* the noise of ways falls by the power
