@@ -7,6 +7,14 @@
 #include "base/map.h"
 #include "lightmesh/tuning.h"
 
+/* What a camera in a chamber asked for, one outside takes, which doesn't know
+ * what lights that. */
+static bool frame_from_inside(const struct mesh_frame *made,
+                              const struct mesh_frame *now)
+{
+    return made->closed && !now->closed;
+}
+
 static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                       const struct lighting_kept *kept)
 {
@@ -20,7 +28,8 @@ static bool kept_find(struct mesh_known *known, const struct mesh_stamp *wanted,
                             *now = &wanted->frame;
     known->levels = plan_levels(made, now);
     return fabs(known->levels.direct) <= KEPT_LEVELS &&
-           now->asked <= kept_rays * made->asked;
+           (frame_from_inside(made, now) ||
+            now->asked <= kept_rays * made->asked);
 }
 
 static bool file_find(struct mesh_known *known, const struct mesh_stamp *wanted,

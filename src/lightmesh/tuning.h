@@ -193,7 +193,7 @@ enum {
     CHAMBER_LEAST = 32, /* the same where little light leaves the scene, */
     CHAMBER_WAYS = 128, /* and at most: others are sent where these differ
                          * [blocks, courtyard], and more where that is said */
-    CHAMBER_ANIMATED = 2, /* times as many for the pictures of an animation
+    CHAMBER_ANIMATED = 4, /* times as many for the pictures of an animation
                            * [flicker] */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
@@ -313,7 +313,7 @@ static const double virtual_near = 0.75,
                     virtual_far = 1.5; /* distances between them
                                         * at which they serve */
 
-static const double bright_known = 1.25; /* of the variance there is with those
+static const double bright_known = 2; /* of the variance there is with those
                                           * that are found: by those of another
                                           * picture of an animation there may
                                           * be so much [flicker] */
