@@ -80,6 +80,19 @@ mesh_virtual_lights(const struct mesh_lighting *mesh,
     return NULL;
 }
 
+/* Gathers more where rays that go on by chance have to end the bounces. */
+static void mesh_see(struct mesh_lighting *mesh,
+                     const struct light_mesh_settings *said,
+                     const struct lighting_options *options)
+{
+    struct mesh_frame *frame = &mesh->stamp.frame;
+    struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
+    if (frame->closed && frame->samples > 0 && said->indirect.samples == 0 &&
+        !mesh_close_knows(&mesh->close, &mesh->survey, &worker))
+        frame->samples = (int)fmax(frame->samples, CHAMBER_BLIND);
+    arena_free(worker.scratch);
+}
+
 /* What is known already, and meshes for the rest. */
 static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
                        const struct outlook *outlook,
@@ -106,6 +119,8 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
                             mesh->rooted ? options->kept->pieces : NULL, diag));
     const struct skeleton *closing = mesh->close.skeleton;
     mesh->ambience.everywhere |= closing && closing->ambience.everywhere;
+    if (done && !known.found)
+        mesh_see(mesh, said, options);
     if (done && known.found)
         mesh_make(mesh, scene, interpolation);
     else if (done)

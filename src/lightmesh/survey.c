@@ -1,5 +1,5 @@
 /* A few gather rays: see survey.h. */
-#include "lightmesh/survey.h"
+#include "lightmesh/survey_sums.h"
 
 #include <string.h>
 
@@ -8,7 +8,6 @@
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
-#include "lightmesh/virtual_lights.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
@@ -54,24 +53,6 @@ static void sight_light(struct sight *sight, const struct gather *gather,
     rgb shown = rgb_add(rgb_mul(sight->albedo, direct), surface_shine(surface));
     sight->shown = rgb_brightness(rgb_add(shown, surface_glow(surface)));
 }
-
-/* What a gather ray brings, of what the picture shows there. */
-struct brought {
-    double light, even; /* by so many rays per solid angle */
-    double lamps;       /* of the light, what hit.lamps is */
-};
-
-/* Of all gather rays. */
-struct sums {
-    const struct gather *gather;
-    int sights, each; /* places, and rays of one, */
-    int choosing;     /* the first of which find what is bright; the others
-                       * judge */
-    double open, ends, worth, returned;
-    rgb light;
-    struct bright_hit *hits;
-    struct brought *brought;
-};
 
 /* What glows is picked, not found by chance: it is none of the roughness. */
 static rgb gathered_rest(const struct gather *gather,
@@ -276,7 +257,7 @@ static void sums_gather(struct sums *sums, const struct scene *scene,
     }
 }
 
-static struct bright sums_bright(const struct sums *sums)
+struct bright sums_bright(const struct sums *sums)
 {
     size_t each = (size_t)sums->choosing, count = 0;
     struct bright_hit *hits =
@@ -289,66 +270,13 @@ static struct bright sums_bright(const struct sums *sums)
     return bright;
 }
 
-/* What of lamps' light virtual lights bring: of each hit, a share. */
-static double hit_sent(const struct bright_hit *hit,
-                       const struct virtual_lights *lights)
-{
-    vec3 place = vec3_along(hit->origin, hit->direction, hit->distance);
-    return hit->lamps > 0
-               ? virtual_lights_share(lights, place, hit->normal, hit->distance)
-               : 0;
-}
-
-static double sums_sent(const struct sums *sums,
-                        const struct virtual_lights *lights)
+static void sums_remember(const struct sums *sums, struct survey *survey)
 {
     size_t rays = (size_t)sums->sights * (size_t)sums->each;
-    double sum = 0;
-    for (size_t i = 0; i < rays; i++)
-        sum += hit_sent(&sums->hits[i], lights) * sums->hits[i].lamps;
-    return sum;
-}
-
-/* All but what they bring. */
-static void sums_leave(struct sums *sums, const struct virtual_lights *lights)
-{
-    size_t rays = (size_t)sums->sights * (size_t)sums->each;
-    for (size_t i = 0; i < rays; i++) {
-        struct bright_hit *hit = &sums->hits[i];
-        double sent = hit_sent(hit, lights);
-        hit->light = fmax(hit->light - sent * hit->lamps, 0);
-        sums->brought[i].light -= sent * sums->brought[i].lamps;
-    }
-}
-
-/* Bright places that are lit by lamps, if much of all light is: those that are
- * known if that is nearly as much. What virtual lights bring of it is left out
- * of the sums. Fog would weaken it. */
-static struct bright sums_lit(struct sums *sums, const struct bright *known,
-                              struct worker *worker)
-{
-    const struct lamps *lamps = sums->gather->lamps;
-    struct bright lit = { .count = 0 }, found = sums_bright(sums);
-    double all = 0, sent, before = 0;
-    struct virtual_lights *lights, *older = NULL;
-    if (found.count == 0 || lamps->scene->fogs.count > 0)
-        return lit;
-    for (size_t i = 0; i < (size_t)sums->sights * (size_t)sums->each; i++)
-        all += sums->hits[i].light;
-    lights = virtual_lights_new(&found, lamps, worker);
-    sent = sums_sent(sums, lights);
-    if (known) {
-        older = virtual_lights_new(known, lamps, worker);
-        before = sums_sent(sums, older);
-    }
-    bool keep = before * bright_known > sent;
-    if (fmax(sent, before) > virtual_worth * all) {
-        sums_leave(sums, keep ? older : lights);
-        lit = keep ? *known : found;
-    }
-    virtual_lights_free(lights);
-    virtual_lights_free(older);
-    return lit;
+    size_t step = rays / SURVEY_HITS + 1;
+    for (size_t i = step / 2; i < rays; i += step)
+        if (sums->hits[i].distance < HUGE_VAL)
+            survey->hit[survey->hits++] = sums->hits[i];
 }
 
 static struct survey sums_tell(struct sums *sums, const struct survey *known,
@@ -361,6 +289,7 @@ static struct survey sums_tell(struct sums *sums, const struct survey *known,
     survey.open = sums->ends / rays;
     survey.worth = sums->worth / sums->sights;
     survey.around = sums_around(sums);
+    sums_remember(sums, &survey);
     if (survey.open < open_enough) {
         sums->choosing = sums->each / 2;
         survey.lit = sums_lit(sums, known ? &known->lit : NULL, worker);

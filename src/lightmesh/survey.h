@@ -7,6 +7,8 @@
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
 
+enum { SURVEY_HITS = 128 };
+
 struct survey {
     double open;  /* share of gather rays that leave the scene, or end where it
                    * glows: there is no bounce after them */
@@ -18,6 +20,8 @@ struct survey {
     struct bright lit;    /* bright places whose light virtual lights bring; 0:
                            * none */
     struct bright bright; /* where most of the rest comes from */
+    int hits;             /* some of what they met, from all over the picture */
+    struct bright_hit hit[SURVEY_HITS];
     struct indirect_share around; /* what surfaces give each other, mean */
 };
 

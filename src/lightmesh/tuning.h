@@ -185,14 +185,17 @@ static const double penumbra_swell = 0.25; /* of a block, in its side */
 /* Gathering [room, blocks, maze, room-error]. */
 enum {
     BOUNCES = 6,
-    ONWARD_MOST = 24,   /* surfaces on the way of one that goes on, at most */
-    CLOSED_BOUNCES = 1, /* when the skeleton knows the rest */
-    OPEN_BOUNCES = 1,   /* when further rays do: much light leaves the scene */
-    GATHER_LEAST = 16,  /* rays of a mesh point where they are dear, */
-    GATHER_FEW = 32,    /* and else */
-    CHAMBER_LEAST = 32, /* the same where little light leaves the scene, */
-    CHAMBER_WAYS = 128, /* and at most: others are sent where these differ
-                         * [blocks, courtyard], and more where that is said */
+    ONWARD_MOST = 24,    /* surfaces on the way of one that goes on, at most */
+    CLOSED_BOUNCES = 1,  /* when the skeleton knows the rest */
+    OPEN_BOUNCES = 1,    /* when further rays do: much light leaves the scene */
+    GATHER_LEAST = 16,   /* rays of a mesh point where they are dear, */
+    GATHER_FEW = 32,     /* and else */
+    CHAMBER_LEAST = 32,  /* the same where little light leaves the scene, */
+    CHAMBER_BLIND = 128, /* and where the skeleton doesn't know more than one in
+                          * so many of the places they meet [plates_glow], */
+    CHAMBER_KNOWN = 32,
+    CHAMBER_WAYS = 128,   /* and at most: others are sent where these differ
+                           * [blocks, courtyard], and more where that is said */
     CHAMBER_ANIMATED = 4, /* times as many for the pictures of an animation
                            * [flicker] */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
@@ -313,11 +316,11 @@ static const double virtual_near = 0.75,
                     virtual_far = 1.5; /* distances between them
                                         * at which they serve */
 
-static const double bright_known = 2; /* of the variance there is with those
-                                          * that are found: by those of another
-                                          * picture of an animation there may
-                                          * be so much [flicker] */
-static const double bright_cells = 10;   /* along the chamber, at least */
+static const double bright_known = 2;   /* of the variance there is with those
+                                         * that are found: by those of another
+                                         * picture of an animation there may
+                                         * be so much [flicker] */
+static const double bright_cells = 10;  /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
