@@ -168,7 +168,7 @@ static void ridge(const double *a, struct series *noise, double *sums)
         total += strength;
     }
     for (int k = 0; k < noise->points; k++)
-        sums[k] = (sums[k] / total - offset) / (1 - offset);
+        sums[k] = (sums[k] / total - offset) / fmax(offset, 1 - offset);
 }
 
 /* One of them: where among its arguments lacunarity and octaves are. */
