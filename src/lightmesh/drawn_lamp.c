@@ -66,12 +66,25 @@ static rgb candidate_light(const struct candidate *candidate,
                    lamps_share_point(lamps, candidate->lamp, worker, &target));
 }
 
+/* What gets there of all of them. */
+static rgb candidates_light(const struct candidate *candidates, size_t count,
+                            const struct lamps *lamps, struct worker *worker,
+                            const struct draws *draws, uint32_t slot,
+                            vec3 place)
+{
+    rgb sum = rgb_grey(0);
+    for (size_t i = 0; i < count; i++)
+        sum = rgb_add(sum, candidate_light(&candidates[i], lamps, worker, draws,
+                                           slot, place));
+    return sum;
+}
+
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
                      const struct draws *draws, uint32_t slot,
                      const struct lit_place *place)
 {
     struct candidate at[DRAWN_LAMPS];
-    double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, share;
+    double sums[DRAWN_LAMPS], sum = 0, dark = 0, which[2] = { 0, 0 }, share;
     size_t count = lamps->count < DRAWN_LAMPS ? lamps->count : DRAWN_LAMPS;
     size_t lit = 0;
     if (count < lamps->count)
@@ -82,11 +95,17 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
             number = i;
         if (!candidate_lights(&at[lit], &lamps->items[number], place))
             continue;
-        sum += fabs(rgb_brightness(at[lit].light));
+        double light = rgb_brightness(at[lit].light);
+        sum += fabs(light);
+        dark += fmax(-light, 0);
         sums[lit++] = sum;
     }
     if (!(sum > 0))
         return rgb_grey(0);
+    /* Where some take light away one would stand for more than there is. */
+    if (dark > 0 && count == lamps->count)
+        return candidates_light(at, lit, lamps, worker, draws, slot + 1,
+                                place->point);
     if (lit > 1 && count == lamps->count)
         draw_pair(draws, slot, which);
     const struct candidate *drawn =
