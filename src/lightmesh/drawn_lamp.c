@@ -144,7 +144,7 @@ static void targets_fall(const struct lamps *lamps, struct worker *worker,
         int i = __builtin_ctz(each);
         const struct lamp_target *target = &targets[i];
         rays_set(&ways.rays, i, target->point, target->view.direction);
-        ways.span.near[i] = shadow_start(target->point);
+        ways.span.near[i] = shadow_start(target->point, target->view.distance);
         ways.span.far[i] = shadow_end(target->view.distance);
     }
     shadow_falls_many(lamps->world, worker, &ways, lanes, &around, found);
