@@ -133,19 +133,23 @@ static vec3 layer_bumped(const struct layer *layer, const affine *to,
                          const affine *from, vec3 point, vec3 normal,
                          const struct uv_source *surface)
 {
-    vec3 there = vec3_normalise(affine_normal(from, normal));
-    vec3 bumped = normal_perturbed(layer->normal, point, there, surface);
+    vec3 there = affine_normal(from, normal);
+    vec3 bumped = normal_perturbed(layer->normal, point, vec3_normalise(there),
+                                   vec3_length(there), surface);
     vec3 back = vec3_normalise(affine_normal(to, bumped));
     return vec3_finite(back) ? back : normal;
 }
 
 CLONES static void normals_there(const affine *restrict from,
                                  const struct spots *restrict normals,
+                                 double *restrict lengths,
                                  struct spots *restrict there)
 {
-    for (int i = 0; i < normals->count; i++)
-        spots_put(there, i,
-                  vec3_normalise(affine_normal(from, spots_at(normals, i))));
+    for (int i = 0; i < normals->count; i++) {
+        vec3 normal = affine_normal(from, spots_at(normals, i));
+        lengths[i] = vec3_length(normal);
+        spots_put(there, i, vec3_normalise(normal));
+    }
 }
 
 CLONES static void normals_back(const affine *restrict to,
@@ -169,9 +173,10 @@ void layer_bump_many(const struct layer *layer, const affine *to,
                      struct spots *normals)
 {
     struct spots there, bumped;
+    double lengths[SPOTS_MAX];
     there.count = normals->count;
-    normals_there(from, normals, &there);
-    normals_perturbed(layer->normal, points, &there, &bumped);
+    normals_there(from, normals, lengths, &there);
+    normals_perturbed(layer->normal, points, &there, lengths, &bumped);
     normals_back(to, &bumped, normals);
 }
 
@@ -182,7 +187,7 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
         return normal;
     if (layer->normal->pattern.uv && !layer->normal->uv_turned)
         return normal_perturbed(layer->normal, place->uv->point(place->uv),
-                                normal, place->uv);
+                                normal, 0, place->uv);
     vec3 at =
         pattern_start(&layer->normal->pattern, place_point(place), place->uv);
     return layer_bumped(layer, place->to, place->from, at, normal, place->uv);
