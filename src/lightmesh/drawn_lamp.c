@@ -66,19 +66,6 @@ static rgb candidate_light(const struct candidate *candidate,
                    lamps_share_point(lamps, candidate->lamp, worker, &target));
 }
 
-/* What gets there of all of them. */
-static rgb candidates_light(const struct candidate *candidates, size_t count,
-                            const struct lamps *lamps, struct worker *worker,
-                            const struct draws *draws, uint32_t slot,
-                            vec3 place)
-{
-    rgb sum = rgb_grey(0);
-    for (size_t i = 0; i < count; i++)
-        sum = rgb_add(sum, candidate_light(&candidates[i], lamps, worker, draws,
-                                           slot, place));
-    return sum;
-}
-
 rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
                      const struct draws *draws, uint32_t slot,
                      const struct lit_place *place)
@@ -103,9 +90,13 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
     if (!(sum > 0))
         return rgb_grey(0);
     /* Where some take light away one would stand for more than there is. */
-    if (dark > 0 && count == lamps->count)
-        return candidates_light(at, lit, lamps, worker, draws, slot + 1,
-                                place->point);
+    if (dark > 0 && count == lamps->count) {
+        rgb all = rgb_grey(0);
+        for (size_t i = 0; i < lit; i++)
+            all = rgb_add(all, candidate_light(&at[i], lamps, worker, draws,
+                                               slot + 1, place->point));
+        return all;
+    }
     if (lit > 1 && count == lamps->count)
         draw_pair(draws, slot, which);
     const struct candidate *drawn =
