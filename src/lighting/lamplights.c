@@ -12,16 +12,6 @@ struct lamp_looks {
     unsigned lit; /* by it, if nothing is between */
 };
 
-CLONES static void ways_start(const double (*restrict points)[RAY_LANES],
-                              struct rays_span *restrict span)
-{
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        vec3 point = lane_get(points, i);
-        span->near[i] = shadow_start(point);
-        span->far[i] = 0;
-    }
-}
-
 void lamplights_start(struct lamplights *lights, struct facets *facets)
 {
     struct occlusions *ways = &lights->ways;
@@ -35,7 +25,7 @@ void lamplights_start(struct lamplights *lights, struct facets *facets)
     }
     memcpy(ways->rays.origin, facets->point, sizeof ways->rays.origin);
     memset(ways->rays.direction, 0, sizeof ways->rays.direction);
-    ways_start((const double(*)[RAY_LANES])facets->point, &ways->span);
+    memset(&ways->span, 0, sizeof ways->span);
 }
 
 /* What lamp_look finds of a lamp that stands at a place, and its ways; `faces`:
@@ -48,7 +38,7 @@ CLONES static void look_many(const struct facets *restrict facets,
     const double(*restrict points)[RAY_LANES] =
         (const double(*)[RAY_LANES])ways->rays.origin;
     double(*restrict directions)[RAY_LANES] = ways->rays.direction;
-    double *restrict far = ways->span.far;
+    double *restrict near = ways->span.near, *restrict far = ways->span.far;
     const struct facet_layer *restrict layer = &facets->layer[0];
     for (unsigned i = 0; i < RAY_LANES; i++) {
         vec3 point = lane_get(points, i);
@@ -61,6 +51,7 @@ CLONES static void look_many(const struct facets *restrict facets,
         lane_flag behind = cosine < 0 ? -1 : 0;
         lane_put(directions, i, direction);
         distances[i] = distance;
+        near[i] = shadow_start(point, distance);
         far[i] = shadow_end(distance);
         faces[i] = ((before & layer->front[i]) |
                     (~before & behind & layer->back[i]) | facets->many[i]) &
@@ -144,6 +135,7 @@ static void look_at_uneven(struct lamplights *lights, const struct lamp *lamp,
         if (!lamp_look(lamp, location, point, &view))
             continue;
         rays_set(&ways->rays, (int)i, point, view.direction);
+        ways->span.near[i] = shadow_start(point, view.distance);
         ways->span.far[i] = shadow_end(view.distance);
         looks->distance[i] = view.distance;
         looks->attenuation[i] = view.attenuation;

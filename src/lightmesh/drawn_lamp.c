@@ -71,7 +71,7 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
                      const struct lit_place *place)
 {
     struct candidate at[DRAWN_LAMPS];
-    double sums[DRAWN_LAMPS], sum = 0, which[2] = { 0, 0 }, share;
+    double sums[DRAWN_LAMPS], sum = 0, dark = 0, which[2] = { 0, 0 }, share;
     size_t count = lamps->count < DRAWN_LAMPS ? lamps->count : DRAWN_LAMPS;
     size_t lit = 0;
     if (count < lamps->count)
@@ -82,11 +82,21 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
             number = i;
         if (!candidate_lights(&at[lit], &lamps->items[number], place))
             continue;
-        sum += fabs(rgb_brightness(at[lit].light));
+        double light = rgb_brightness(at[lit].light);
+        sum += fabs(light);
+        dark += fmax(-light, 0);
         sums[lit++] = sum;
     }
     if (!(sum > 0))
         return rgb_grey(0);
+    /* Where some take light away one would stand for more than there is. */
+    if (dark > 0 && count == lamps->count) {
+        rgb all = rgb_grey(0);
+        for (size_t i = 0; i < lit; i++)
+            all = rgb_add(all, candidate_light(&at[i], lamps, worker, draws,
+                                               slot + 1, place->point));
+        return all;
+    }
     if (lit > 1 && count == lamps->count)
         draw_pair(draws, slot, which);
     const struct candidate *drawn =
@@ -125,7 +135,7 @@ static void targets_fall(const struct lamps *lamps, struct worker *worker,
         int i = __builtin_ctz(each);
         const struct lamp_target *target = &targets[i];
         rays_set(&ways.rays, i, target->point, target->view.direction);
-        ways.span.near[i] = shadow_start(target->point);
+        ways.span.near[i] = shadow_start(target->point, target->view.distance);
         ways.span.far[i] = shadow_end(target->view.distance);
     }
     shadow_falls_many(lamps->world, worker, &ways, lanes, &around, found);

@@ -72,7 +72,7 @@ static void place_word(void *context, size_t word, unsigned thread)
     for (size_t i = word * WORD; i < end && i < count; i++) {
         vec3 place = sights_place(own, i);
         place = vec3_along(place, lamp_sights_normal(own->options->points, i),
-                           shadow_start(place));
+                           shadow_start(place, HUGE_VAL));
         for (int k = 0; k < casters->space_count; k++)
             if (space_holds(&casters->spaces[k], place))
                 own->within[k][word] |= 1ull << (i % WORD);

@@ -153,7 +153,7 @@ static vec3 camera_bent(const struct camera *camera, double x, double y,
 {
     return vec3_normalise(normal_perturbed(
         camera->normal,
-        camera_bend_at(camera, x - 0.5, camera_above(camera, y)), direction,
+        camera_bend_at(camera, x - 0.5, camera_above(camera, y)), direction, 0,
         NULL));
 }
 
@@ -216,7 +216,7 @@ static void rays_bent(const struct camera *camera,
         spots_add(&points, camera_bend_at(camera, places->x[i], places->y[i]));
         spots_add(&directions, rays_direction(rays, (int)i));
     }
-    normals_perturbed(camera->normal, &points, &directions, &bent);
+    normals_perturbed(camera->normal, &points, &directions, NULL, &bent);
     for (unsigned i = 0; i < count; i++)
         rays_set(rays, (int)i, rays_origin(rays, (int)i),
                  vec3_normalise(spots_at(&bent, (int)i)));

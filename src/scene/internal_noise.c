@@ -9,11 +9,11 @@
 
 enum { MUSGRAVE_OCTAVES_MAX = 100 }; /* more add nothing that is seen */
 
+/* The last two bits of the whole number tell; 0 is the first one (measured). */
 static enum noise_generator noise_generator_of(double number)
 {
-    return number < 1.5   ? NOISE_CLIPPED
-           : number < 2.5 ? NOISE_SCALED
-                          : NOISE_PERLIN;
+    double bits = trunc(number) - 4 * floor(trunc(number) / 4);
+    return bits < 2 ? NOISE_CLIPPED : bits < 3 ? NOISE_SCALED : NOISE_PERLIN;
 }
 
 static double internal_noise_generator(const double *a)
@@ -168,7 +168,7 @@ static void ridge(const double *a, struct series *noise, double *sums)
         total += strength;
     }
     for (int k = 0; k < noise->points; k++)
-        sums[k] = (sums[k] / total - offset) / (1 - offset);
+        sums[k] = (sums[k] / total - offset) / fmax(offset, 1 - offset);
 }
 
 /* One of them: where among its arguments lacunarity and octaves are. */

@@ -261,19 +261,21 @@ static double powers(const double *c, double y)
     return c[0] + y * (c[1] + y * (c[2] + y * (c[3] + y * c[4])));
 }
 
+/* No radius is less than -5 (measured). */
 static double internal_poly4(const double *a)
 {
-    return sqrt(X * X + Z * Z) - powers(a + 3, Y);
+    return sqrt(X * X + Z * Z) - fmax(powers(a + 3, Y), -5);
 }
 
 /* From the nearest of so many lines around y, as far from it as the polynomial
- * says. */
+ * says; on the other side of it if that is negative. */
 static double internal_polytubes(const double *a)
 {
     double apart = 2 * M_PI / a[3], radius = sqrt(X * X + Z * Z);
-    double turn = atan2(X, Z);
+    double away = powers(a + 4, Y);
+    double turn = atan2(X, Z) + (away < 0 ? M_PI : 0);
     turn -= apart * round(turn / apart);
-    return hypot(radius * cos(turn) - powers(a + 4, Y), radius * sin(turn));
+    return hypot(radius * cos(turn) - fabs(away), radius * sin(turn));
 }
 
 /* ---- others ---- */

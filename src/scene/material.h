@@ -292,17 +292,20 @@ bool texture_takes_light(const struct texture *texture);
  * with, as `#default { normal { bump_size 2 } }` does. */
 bool normal_tilts(const struct normal *perturbation);
 
-/* The unit normal after perturbation; `normal` unit, both in texture space and
- * turned towards the viewer (measured: bumps rise to whoever looks). Normals in
- * its map may be of the surface's own coordinates; NULL: off any. */
+/* The normal after perturbation; `normal` unit, both in texture space and
+ * turned towards the viewer (measured: bumps rise to whoever looks). `length`
+ * is what it had become on its way there, which is how high bumps with
+ * no_bump_scale are (measured); 0: it is not told. Normals in its map may be of
+ * the surface's own coordinates; NULL: off any. */
 vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal, const struct uv_source *surface);
+                      vec3 normal, double length,
+                      const struct uv_source *surface);
 
 /* The same at several points, off any surface or of what is of space;
- * `perturbed` is neither of the others. */
+ * `perturbed` is none of the others. `lengths` may be NULL. */
 void normals_perturbed(const struct normal *perturbation,
                        const struct spots *points, const struct spots *normals,
-                       struct spots *perturbed);
+                       const double *lengths, struct spots *perturbed);
 
 /* Copies in `arena`, moved by an invertible transformation. */
 const struct pigment *pigment_moved(struct arena *arena,

@@ -152,10 +152,22 @@ static void normal_tilts_at(const struct normal *perturbation,
     }
 }
 
-static double normal_amount(const struct normal *perturbation)
+static bool normal_is_full(const struct normal *perturbation)
 {
     const struct pattern_kind *kind = perturbation->pattern.kind;
-    return kind && kind->full ? 1 : perturbation->amount;
+    return kind && kind->full;
+}
+
+static double normal_amount(const struct normal *perturbation)
+{
+    return normal_is_full(perturbation) ? 1 : perturbation->amount;
+}
+
+/* Whether its bumps are as high however they are scaled; facets have no height
+ * (measured). */
+static bool normal_is_unscaled(const struct normal *perturbation)
+{
+    return perturbation->level && !normal_is_full(perturbation);
 }
 
 static vec3 normal_tilted(const struct normal *perturbation,
@@ -197,7 +209,7 @@ bool normal_is_of_space(const struct normal *perturbation)
 static bool normal_is_level(const struct normal *perturbation)
 {
     return !normal_tilts(perturbation) ||
-           (perturbation->amount == 0 && !perturbation->map);
+           (normal_amount(perturbation) == 0 && !perturbation->map);
 }
 
 /* The way into the pattern's own space. */
@@ -227,7 +239,9 @@ static inline double height_within(const struct normal *perturbation,
                                    double height, double around)
 {
     height = fabs(height) <= DBL_MAX ? height : 1;
-    return around != 0 ? height * around : perturbation->level ? height : 0;
+    return around != 0                        ? height * around
+           : normal_is_unscaled(perturbation) ? height
+                                              : 0;
 }
 
 /* Whether a bent normal stays as long as it has become, for the map with
@@ -261,10 +275,21 @@ static vec3 normal_bent(const struct normal *perturbation,
     return length > 0.5 && length < 2 ? result : around->normal;
 }
 
-vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
-                      vec3 normal, const struct uv_source *surface)
+/* How high bumps are for what is around the pattern, which is scaled as well.
+ */
+static inline double height_around(const struct normal *perturbation,
+                                   double length)
 {
-    const struct bend around = { point, normal, surface, 0 };
+    bool sensible = length > 0 && length <= DBL_MAX;
+    return normal_is_unscaled(perturbation) && sensible ? length : 0;
+}
+
+vec3 normal_perturbed(const struct normal *perturbation, vec3 point,
+                      vec3 normal, double length,
+                      const struct uv_source *surface)
+{
+    const struct bend around = { point, normal, surface,
+                                 height_around(perturbation, length) };
     return normal_bent(perturbation, &around);
 }
 
@@ -450,9 +475,12 @@ static void normals_bent(const struct normal *perturbation,
 
 void normals_perturbed(const struct normal *perturbation,
                        const struct spots *points, const struct spots *normals,
-                       struct spots *perturbed)
+                       const double *lengths, struct spots *perturbed)
 {
     struct bends around = { *points, *normals, { 0 } };
+    for (int i = 0; i < points->count; i++)
+        around.height[i] =
+            lengths ? height_around(perturbation, lengths[i]) : 0;
     normals_bent(perturbation, &around, perturbed);
 }
 

@@ -1,8 +1,10 @@
 /* Warps, as measured with POV-Ray 3.7: see warp.h. */
 #include "scene/warp.h"
 
+#include <string.h>
+
+#include "base/octet_math.h"
 #include "scene/noise.h"
-#include "scene/ray.h"
 #include "scene/spots.h"
 
 static vec3 warp_repeat(const struct warp *warp, vec3 point)
@@ -70,27 +72,67 @@ static vec3 warp_turned(vec3 orientation, vec3 p)
     return vec3_along(sum, y, orientation.y);
 }
 
+/* Of each x and z: round the axis, 0 to 1, into turns, and from it. */
+CLONES static void spots_round(const struct spots *restrict spots,
+                               double *restrict turns, double *restrict round)
+{
+    for (int i = 0; i < spots->count; i++) {
+        double x = spots->x[i], z = spots->z[i];
+        round[i] = sqrt(x * x + z * z);
+        turns[i] = z;
+    }
+    numbers_atan2(turns, spots->x, spots->count);
+    for (int i = 0; i < spots->count; i++) {
+        double turn = turns[i] / (2 * M_PI);
+        turns[i] = turn < 0 ? turn + 1 : turn;
+    }
+}
+
+/* Each y becomes from pole to pole of a half circle, `out` from whose middle it
+ * is, or of one that is whole, 0 to 1; `far` is how far it is from there. */
+CLONES static void spots_poles(struct spots *restrict spots, bool whole,
+                               const double *restrict out, double *restrict far)
+{
+    const double all = whole ? 2 * M_PI : M_PI;
+    for (int i = 0; i < spots->count; i++)
+        far[i] = sqrt(out[i] * out[i] + spots->y[i] * spots->y[i]);
+    numbers_atan2(spots->y, out, spots->count);
+    for (int i = 0; i < spots->count; i++)
+        spots->y[i] = 0.5 + spots->y[i] / all;
+}
+
 /* Round the axis and along it or from pole to pole, both 0 to 1, and the
  * distance from the middle, which may stretch the first two. */
-static vec3 warp_laid(const struct warp *warp, vec3 p)
+static void spots_lay(const struct warp *warp, struct spots *spots)
 {
-    double round = hypot(p.x, p.z), ring = round - warp->major;
-    vec3 laid = { ray_turn(p.x, p.z), p.y, round };
-    if (warp->kind == WARP_PLANAR)
-        return vec3_make(p.x, p.y, warp->distance);
-    if (warp->kind == WARP_SPHERICAL) {
-        laid.y = 0.5 + atan2(p.y, round) / M_PI;
-        laid.z = vec3_length(p);
-    } else if (warp->kind == WARP_TOROIDAL) {
-        laid.y = 0.5 + atan2(p.y, ring) / (2 * M_PI);
-        laid.z = hypot(ring, p.y);
+    double turns[SPOTS_MAX], out[SPOTS_MAX], far[SPOTS_MAX];
+    spots_round(spots, turns, out);
+    memcpy(far, out, sizeof far);
+    if (warp->kind == WARP_TOROIDAL)
+        for (int i = 0; i < spots->count; i++)
+            out[i] -= warp->major;
+    if (warp->kind != WARP_CYLINDRICAL)
+        spots_poles(spots, warp->kind == WARP_TOROIDAL, out, far);
+    memcpy(spots->x, turns, sizeof turns);
+    memcpy(spots->z, far, sizeof far);
+    for (int i = 0; warp->stretch != 0 && i < spots->count; i++) {
+        double factor = pow(far[i], warp->stretch);
+        spots->x[i] *= factor;
+        spots->y[i] *= warp->kind == WARP_CYLINDRICAL ? 1 : factor;
     }
-    if (warp->stretch == 0)
-        return laid;
-    double factor = pow(laid.z, warp->stretch);
-    laid.x *= factor;
-    laid.y *= warp->kind == WARP_CYLINDRICAL ? 1 : factor;
-    return laid;
+}
+
+/* Likewise, or onto a plane, and turned. */
+static void spots_laid(const struct warp *warp, struct spots *spots)
+{
+    if (warp->kind != WARP_PLANAR)
+        spots_lay(warp, spots);
+    for (int i = 0; i < spots->count; i++) {
+        vec3 at = spots_at(spots, i);
+        if (warp->kind == WARP_PLANAR)
+            at.z = warp->distance;
+        spots_put(spots, i, warp_turned(warp->orientation, at));
+    }
 }
 
 /* The middle of a side's square in a cross that is 1 wide and high, and how far
@@ -125,6 +167,7 @@ static vec3 warp_cubic(vec3 p)
 /* What it makes of a point, before what was moved before it. */
 static vec3 warp_bent(const struct warp *warp, vec3 point)
 {
+    struct spots alone;
     switch (warp->kind) {
     case WARP_TURBULENCE:
         return vec3_add(
@@ -137,7 +180,28 @@ static vec3 warp_bent(const struct warp *warp, vec3 point)
     case WARP_CUBIC:
         return warp_cubic(point);
     default:
-        return warp_turned(warp->orientation, warp_laid(warp, point));
+        alone = spots_of(point);
+        spots_laid(warp, &alone);
+        return spots_at(&alone, 0);
+    }
+}
+
+/* What is made of all points at once; of others one by one. */
+static void spots_bent(const struct warp *warp, struct spots *spots)
+{
+    switch (warp->kind) {
+    case WARP_TURBULENCE:
+        noise_vectors_stir(spots, &warp->turbulence);
+        break;
+    case WARP_CYLINDRICAL:
+    case WARP_SPHERICAL:
+    case WARP_TOROIDAL:
+    case WARP_PLANAR:
+        spots_laid(warp, spots);
+        break;
+    default:
+        for (int i = 0; i < spots->count; i++)
+            spots_put(spots, i, warp_bent(warp, spots_at(spots, i)));
     }
 }
 
@@ -152,11 +216,7 @@ void warps_move(const struct warp *warp, struct spots *spots)
 {
     for (; warp; warp = warp->inner) {
         struct spots bent = *spots;
-        if (warp->kind == WARP_TURBULENCE)
-            noise_vectors_stir(&bent, &warp->turbulence);
-        else
-            for (int i = 0; i < bent.count; i++)
-                spots_put(&bent, i, warp_bent(warp, spots_at(&bent, i)));
+        spots_bent(warp, &bent);
         spots_moved(&bent, &warp->inverse, spots);
     }
 }

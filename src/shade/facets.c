@@ -156,7 +156,7 @@ static void paint_bumps(const struct coating *coating,
     for (int k = 0; k < painted->points.count; k++)
         spots_add(&bumped, lane_get(normals, painted->lane[k]));
     layer_bump_many(coating->from, coat->to_texture, coat->from_texture,
-                    &painted->points, &bumped);
+                    coating->at != NULL, &painted->points, &bumped);
     for (int k = 0; k < painted->points.count; k++)
         lane_put(normals, painted->lane[k], spots_at(&bumped, k));
 }

@@ -142,7 +142,10 @@ INLINED vec3 surface_mirrored(vec3 surface, vec3 direction, vec3 normal)
     return vec3_normalise(mirrored);
 }
 
-/* The same of paint there, tints and all; `view` is unit, to the viewer. */
+/* What mirrored light becomes under reflection exponent E: light^(1/E). */
+rgb finish_raised(rgb light, double exponent);
+
+/* The mirror of paint there, tints and all; `view` is unit, to the viewer. */
 static inline struct finish_mirror
 finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
 {
@@ -155,9 +158,12 @@ finish_mirror_seen(const struct surface_paint *paint, vec3 view, double ior)
     if (finish_tints(finish)) {
         vec3 from =
             surface_mirrored(paint->normal, vec3_negate(view), paint->bumped);
-        mirror.colour = rgb_mul(
-            mirror.colour, finish_tint(finish, paint->point,
-                                       vec3_dot(from, paint->bumped), cosine));
+        rgb tint = finish_tint(finish, paint->point,
+                               vec3_dot(from, paint->bumped), cosine);
+        /* It tints what the exponent is applied to (measured). */
+        if (finish->reflection.exponent != 1)
+            tint = finish_raised(tint, finish->reflection.exponent);
+        mirror.colour = rgb_mul(mirror.colour, tint);
     }
     return mirror;
 }
@@ -192,10 +198,7 @@ static inline rgb finish_highlights_tinted(const struct finish *finish,
     return rgb_scale(finish_metallic(finish->metallic, cosine, pigment), share);
 }
 
-/* What mirrored light becomes under reflection exponent E: light^(1/E). */
-rgb finish_raised(rgb light, double exponent);
-
-/* The same; most of the time it stays what it is. */
+/* Finish_raised; most of the time light stays what it is. */
 static inline rgb finish_exponent(rgb light, double exponent)
 {
     return exponent == 1 || exponent <= 0 ? light

@@ -138,9 +138,9 @@ static inline vec3 lamp_way(const struct lamp_ways *ways, vec3 offset,
                             double *near, double *far)
 {
     double length = vec3_length(offset), part = 1 / length;
-    double start = shadow_start(ways->point);
+    double start = shadow_start(ways->point, length);
     *near = ways->unit ? start : start * part;
-    *far = ways->unit ? shadow_end(length) : 1 - SHADOW_MARGIN * part;
+    *far = ways->unit ? shadow_end(length) : 1 - shadow_margin(length) * part;
     return vec3_scale(offset, ways->unit && length > 0 ? part : 1);
 }
 
@@ -273,9 +273,13 @@ static struct shaft_rays lamp_rays(const struct lamp_question *q,
 {
     vec3 point = q->target->point;
     const struct lamp_ways ways = lamp_ways(q);
-    struct shaft_rays rays = { .from = point, .tmin = shadow_start(point) };
-    rays.middle = vec3_add(point, lamp_offset(&ways, q->lamp->light->location));
+    vec3 offset = lamp_offset(&ways, q->lamp->light->location);
+    struct shaft_rays rays = { .from = point,
+                               .middle = vec3_add(point, offset) };
     area_grid_hull(grid, rays.half);
+    double nearest = vec3_length(offset) - vec3_length(rays.half[0]) -
+                     vec3_length(rays.half[1]);
+    rays.tmin = shadow_start(point, fmax(nearest, 0));
     rays.leaf = q->target->leaf;
     rays.normal = q->target->face;
     return rays;

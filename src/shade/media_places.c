@@ -29,11 +29,11 @@ static void sights_add(struct media_sights *sights, unsigned i, vec3 point)
     struct lamp_view *view = &sights->view[i];
     sights->inside[i] = sights->way->inside;
     rays_set(&sights->ways.rays, (int)i, point, vec3_make(0, 0, 0));
-    sights->ways.span.near[i] = shadow_start(point);
-    sights->ways.span.far[i] = 0;
+    sights->ways.span.near[i] = sights->ways.span.far[i] = 0;
     if (!lamp_look(lamp, lamp->light->location, point, view))
         return;
     rays_set(&sights->ways.rays, (int)i, point, view->direction);
+    sights->ways.span.near[i] = shadow_start(point, view->distance);
     sights->ways.span.far[i] = shadow_end(view->distance);
     sights->lit |= 1u << i;
 }

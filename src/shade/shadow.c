@@ -245,7 +245,7 @@ bool shadow_falls(const struct world *world, struct worker *worker, vec3 point,
 {
     const struct ray ray = { point, direction };
     const struct occlusion way = { .ray = &ray,
-                                   .tmin = shadow_start(point),
+                                   .tmin = shadow_start(point, distance),
                                    .tmax = shadow_end(distance),
                                    .light = light };
     if (!(way.tmax > way.tmin))
@@ -309,7 +309,7 @@ static void shadows_shares(const struct shadow_rays *rays,
         const struct shadow_path path = {
             .point = rays_origin(ways, (int)i),
             .direction = rays_direction(ways, (int)i),
-            .distance = rays->ways->span.far[i] + SHADOW_MARGIN,
+            .distance = shadow_distance(rays->ways->span.far[i]),
             .inside = around->inside[i],
             .fog = around->fog,
             .misty = around->misty,
@@ -382,7 +382,7 @@ void shadow_falls_many(const struct world *world, struct worker *worker,
 rgb shadow_visibility(const struct world *world, struct worker *worker,
                       const struct shadow_path *path)
 {
-    double from = shadow_start(path->point);
+    double from = shadow_start(path->point, path->distance);
     double to = shadow_end(path->distance);
     if (!(to > from))
         return rgb_grey(1);

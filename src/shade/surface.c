@@ -128,24 +128,29 @@ static inline colour layer_pigment(const struct layer *layer,
     return pigment_seen(pigment, place_point(place), &surface.source);
 }
 
-/* Bumps live in the texture's space: the normal goes there and back. */
-static vec3 layer_bumped(const struct layer *layer, const affine *to,
-                         const affine *from, vec3 point, vec3 normal,
-                         const struct uv_source *surface)
+/* Bumps live in the texture's space: the normal goes there and back. Those of
+ * what a map picks are as high as in there (measured). */
+static vec3 layer_bumped(const struct layer *layer, const struct place *place,
+                         vec3 point, vec3 normal)
 {
-    vec3 there = vec3_normalise(affine_normal(from, normal));
-    vec3 bumped = normal_perturbed(layer->normal, point, there, surface);
-    vec3 back = vec3_normalise(affine_normal(to, bumped));
+    vec3 there = affine_normal(place->from, normal);
+    vec3 bumped =
+        normal_perturbed(layer->normal, point, vec3_normalise(there),
+                         place->picked ? 0 : vec3_length(there), place->uv);
+    vec3 back = vec3_normalise(affine_normal(place->to, bumped));
     return vec3_finite(back) ? back : normal;
 }
 
 CLONES static void normals_there(const affine *restrict from,
                                  const struct spots *restrict normals,
+                                 double *restrict lengths,
                                  struct spots *restrict there)
 {
-    for (int i = 0; i < normals->count; i++)
-        spots_put(there, i,
-                  vec3_normalise(affine_normal(from, spots_at(normals, i))));
+    for (int i = 0; i < normals->count; i++) {
+        vec3 normal = affine_normal(from, spots_at(normals, i));
+        lengths[i] = vec3_length(normal);
+        spots_put(there, i, vec3_normalise(normal));
+    }
 }
 
 CLONES static void normals_back(const affine *restrict to,
@@ -165,13 +170,15 @@ CLONES static void normals_back(const affine *restrict to,
 }
 
 void layer_bump_many(const struct layer *layer, const affine *to,
-                     const affine *from, const struct spots *points,
-                     struct spots *normals)
+                     const affine *from, bool picked,
+                     const struct spots *points, struct spots *normals)
 {
     struct spots there, bumped;
+    double lengths[SPOTS_MAX];
     there.count = normals->count;
-    normals_there(from, normals, &there);
-    normals_perturbed(layer->normal, points, &there, &bumped);
+    normals_there(from, normals, lengths, &there);
+    normals_perturbed(layer->normal, points, &there, picked ? NULL : lengths,
+                      &bumped);
     normals_back(to, &bumped, normals);
 }
 
@@ -182,10 +189,10 @@ static vec3 layer_normal(const struct layer *layer, struct place *place,
         return normal;
     if (layer->normal->pattern.uv && !layer->normal->uv_turned)
         return normal_perturbed(layer->normal, place->uv->point(place->uv),
-                                normal, place->uv);
+                                normal, 0, place->uv);
     vec3 at =
         pattern_start(&layer->normal->pattern, place_point(place), place->uv);
-    return layer_bumped(layer, place->to, place->from, at, normal, place->uv);
+    return layer_bumped(layer, place, at, normal);
 }
 
 /* The same; it is what is seen from now on. */

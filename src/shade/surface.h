@@ -87,10 +87,10 @@ rgb surface_passes(const struct intersection *at, vec3 direction);
 
 /* Gives unit normals in the world a layer's bumps, at points of the texture's
  * space; all of it must be of space. `to` and `from`: world <-> the texture's
- * space. */
+ * space; `picked`: it is of a texture that a map has picked. */
 void layer_bump_many(const struct layer *layer, const affine *to,
-                     const affine *from, const struct spots *points,
-                     struct spots *normals);
+                     const affine *from, bool picked,
+                     const struct spots *points, struct spots *normals);
 
 /* The unit normal there, turned against the ray's direction, with the bumps of
  * the topmost layer. */

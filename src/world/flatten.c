@@ -396,8 +396,9 @@ static struct solid *build_node(struct flat *flat, const struct object *object,
     }
     if (children.count == 0 || is_void)
         return NULL;
+    /* A leaf alone has no frame: it would be looked for where it isn't. */
     struct solid *only = children.items[0];
-    if (children.count == 1 && !only->more->clip_count &&
+    if (children.count == 1 && !in->frame && !only->more->clip_count &&
         !only->more->gate_count && !object->more->clip_count &&
         !object->more->bound_count)
         return only;

@@ -14,3 +14,7 @@ plane { y, 0
 sphere { <-2, 1.6, -5>, 1
     pigment { rgbt <1, .9, .8, .9> }
     finish { irid { .4 thickness .3 } reflection .6 conserve_energy } }
+// The film tints what the exponent is applied to.
+sphere { <1.5, 1.6, -5>, 1
+    pigment { rgb <.2, .3, .8> }
+    finish { irid { .4 thickness .3 } reflection { .6 exponent 1.4 } } }

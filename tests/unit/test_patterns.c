@@ -318,7 +318,7 @@ static vec3 tilted(const char *name, double amount, const affine *transform,
     struct normal bumps = { pattern_named(name), amount, 0.02, NULL };
     if (transform)
         pattern_transform(&bumps.pattern, transform);
-    return normal_perturbed(&bumps, point, normal, NULL);
+    return normal_perturbed(&bumps, point, normal, 0, NULL);
 }
 
 /* A slope of 1 with amount 1 tilts by 2/15, away from where it rises; scaled
@@ -395,7 +395,7 @@ static void patterns_survive_anything(void **state)
             pattern.wave = (enum wave)(k % 6);
             assert_true(isfinite(pattern_value(&pattern, p)));
             normal.pattern = pattern;
-            vec3 n = normal_perturbed(&normal, p, vec3_make(0, 1, 0), NULL);
+            vec3 n = normal_perturbed(&normal, p, vec3_make(0, 1, 0), 0, NULL);
             assert_true(fabs(vec3_length(n) - 1) < 1e-6);
         }
     }
@@ -428,10 +428,10 @@ static void normals_together_are_as_alone(void **state)
                 spots_add(&points, n == 5 ? vec3_make(1e300, 0, NAN) : p);
                 spots_add(&normals, vec3_normalise(vec3_make(1, p.y, -p.x)));
             }
-            normals_perturbed(&normal, &points, &normals, &together);
+            normals_perturbed(&normal, &points, &normals, NULL, &together);
             for (int n = 0; n < points.count; n++) {
                 vec3 alone = normal_perturbed(&normal, spots_at(&points, n),
-                                              spots_at(&normals, n), NULL);
+                                              spots_at(&normals, n), 0, NULL);
                 vec3 found = spots_at(&together, n);
                 assert_memory_equal(&alone, &found, sizeof alone);
             }
