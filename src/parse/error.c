@@ -153,17 +153,6 @@ static const char *error_near_pattern(const char *wanted, const char *text)
     return nearest.best;
 }
 
-bool error_later(struct parser *p, const char *hint, const char *what,
-                 const char *instead)
-{
-    error_at(p, p->token_span, hint,
-             "%s needs POV-Ray 3.8, and glim reads 3.7; %s", what, instead);
-    stream_next(p);
-    if (stream_peek(p)->kind == TOKEN_LBRACE)
-        skip_brackets(p);
-    return false;
-}
-
 /* `&lt;`, of a scene that was copied out of a web page's source. */
 static const char *error_entity(struct parser *p, const char *word)
 {
@@ -197,11 +186,7 @@ static bool error_foreign(struct parser *p, const char *word)
         stream_next(p);
         return true;
     }
-    if (strcmp(word, "dictionary") != 0)
-        return false;
-    error_later(p, "array[3]", "a dictionary",
-                "an array keeps values by number");
-    return true;
+    return false;
 }
 
 /* A name that is used while its own declaration goes on. */
@@ -305,7 +290,8 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
-    if (error_foreign(p, token->word->text) || mistaken_degrees(p))
+    if (error_foreign(p, token->word->text) || mistaken_degrees(p) ||
+        error_later_word(p, token->word, ""))
         return true;
     if (!hint)
         hint = standard_include(p, token->word->text);

@@ -268,9 +268,10 @@ bool error_unknown_item(struct parser *p, const char *block,
         return false;
     if (token->kind != TOKEN_WORD)
         return error_no_item(p, block);
-    if (error_product(p) || mistaken_number(p))
-        return false;
     const struct word *word = token->word;
+    if (error_product(p) || mistaken_number(p) ||
+        error_later_word(p, word, block))
+        return false;
     const char *belongs = unclosed_hint(p);
     if (!belongs)
         belongs = error_bare_object(p, word);

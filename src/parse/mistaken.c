@@ -58,7 +58,6 @@ static const struct synonym synonyms[] = {
     { "faces triangles", "mesh2", "face_indices" },
     { "normals", "mesh2", "normal_vectors" },
     { "uvs", "mesh2", "uv_vectors" },
-    { "fresnel", "finish", "reflection { 1 fresnel }" },
     { "texture_map", "texture", "gradient y texture_map { ... }" },
     { "sqrt", "julia_fractal", "sqr" },
     { "fov field_of_view zoom", NULL, "angle" },
