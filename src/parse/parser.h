@@ -98,11 +98,11 @@ struct parser {
         struct finish **items;
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
-    struct image_cache *images;      /* read for image_map; image_map.c */
-    struct typeface *fonts;          /* read for text; text.c */
-    bool letters_told;               /* that POV-Ray has other letters; text.c */
-    struct shapes_made *shapes;      /* object.c */
-    struct curves_made *curves;      /* of prisms and lathes; curve.c */
+    struct image_cache *images; /* read for image_map; image_map.c */
+    struct typeface *fonts;     /* read for text; text.c */
+    bool letters_told;          /* that POV-Ray has other letters; text.c */
+    struct shapes_made *shapes; /* object.c */
+    struct curves_made *curves; /* of prisms and lathes; curve.c */
     struct density_cache *densities; /* read; density_file.c */
     struct data_files *data_files;   /* what the scene wrote; data_file.c */
     struct random_streams *randoms;  /* seed(), rand() */

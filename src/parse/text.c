@@ -180,8 +180,7 @@ static bool text_letters(struct parser *p, struct object *text,
 
 /* Letters beyond ASCII are drawn as they are written. POV-Ray has none for them
  * unless it is told of UTF-8 (measured). */
-static void warn_letters(struct parser *p, const char *string,
-                         struct span span)
+static void warn_letters(struct parser *p, const char *string, struct span span)
 {
     const char *c = string;
     while (*c && (unsigned char)*c < 128)
