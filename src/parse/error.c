@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <stdio.h>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "parse/error_parts.h"
 #include "parse/expression.h"
@@ -94,11 +95,52 @@ bool error_at(struct parser *p, struct span span, const char *hint,
     return false;
 }
 
+/* In a loop a warning is given once, and that it comes again. */
+struct warned {
+    struct span span;
+    uint64_t text;
+    bool again;
+};
+
+static void note_warned_again(struct parser *p, struct span span)
+{
+    struct source_place place = source_locate(span.source, span.offset);
+    diag_print(p->diag, DIAG_NOTE, span_none(), NULL,
+               "the warning of %s:%u:%u comes again and is not repeated",
+               span.source->name, place.line, place.column);
+}
+
+static bool warning_comes_again(struct parser *p, struct span span,
+                                const char *format, va_list arguments)
+{
+    char text[200]; /* what is beyond hardly tells two of a place apart */
+    vsnprintf(text, sizeof text, format, arguments);
+    uint64_t hash = hash_text(0, text);
+    for (size_t i = 0; i < p->warned.count; i++) {
+        struct warned *warned = &p->warned.items[i];
+        if (warned->text != hash || !span_is(warned->span, span))
+            continue;
+        if (!warned->again)
+            note_warned_again(p, span);
+        warned->again = true;
+        return true;
+    }
+    if (p->warned.count < DIAG_WARNING_LIMIT) /* more are not printed */
+        *ARRAY_PUSH(p->arena, &p->warned) =
+            (struct warned){ .span = span, .text = hash };
+    return false;
+}
+
 void warning_at(struct parser *p, struct span span, const char *hint,
                 const char *format, ...)
 {
     va_list arguments;
     p->silent = false;
+    va_start(arguments, format);
+    bool again = span.source && warning_comes_again(p, span, format, arguments);
+    va_end(arguments);
+    if (again)
+        return;
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_WARNING, span, hint, format, arguments);
     va_end(arguments);
@@ -293,6 +335,9 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (error_foreign(p, token->word->text) || mistaken_degrees(p) ||
         error_later_word(p, token->word, ""))
         return true;
+    const char *declared = symbol_nearest(p, token->word->text);
+    if (!hint && declared && text_equal_nocase(declared, token->word->text))
+        hint = declared;
     if (!hint)
         hint = standard_include(p, token->word->text);
     if (!hint)

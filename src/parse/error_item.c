@@ -151,6 +151,20 @@ static bool error_no_item(struct parser *p, const char *block)
                     error_found(p), error_block(p, block), why);
 }
 
+/* `x y`: a sum of axes, as far as it is written. */
+static bool error_axes(struct parser *p)
+{
+    struct span last = p->last_span, word = p->token_span;
+    const char *text = last.source ? last.source->text + last.offset : "";
+    if (last.source != word.source || last.length != 1 || word.length != 1 ||
+        !strchr("xyz", *text) || !strchr("xyz", *p->token.word->text))
+        return false;
+    error_at(p, span_join(last, word),
+             arena_printf(p->arena, "%c + %s", *text, p->token.word->text),
+             "an operator stands between two vectors");
+    return true;
+}
+
 /* A number right before x, y or z: 20y is meant as a product. */
 static bool error_product(struct parser *p)
 {
@@ -158,6 +172,8 @@ static bool error_product(struct parser *p)
     if (!constant_is(p, p->token.word->keyword) ||
         number.source != word.source || number.offset >= word.offset)
         return false;
+    if (error_axes(p))
+        return true;
     size_t end = number.offset + number.length;
     size_t blanks = strspn(word.source->text + end, " ");
     if (end + blanks != word.offset ||

@@ -98,6 +98,10 @@ struct parser {
         struct finish **items;
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
+    struct {
+        struct warned *items;
+        size_t count, capacity;
+    } warned;                   /* warnings that were given; error.c */
     struct image_cache *images; /* read for image_map; image_map.c */
     struct typeface *fonts;     /* read for text; text.c */
     bool letters_told;          /* that POV-Ray has other letters; text.c */

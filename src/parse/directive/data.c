@@ -89,6 +89,18 @@ static bool fclose_run(struct parser *p, struct span at)
     return ok;
 }
 
+/* The rest of what is in the brackets, and the ')'. */
+static void data_skip(struct parser *p)
+{
+    for (int depth = 1; depth > 0;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        if (kind == TOKEN_END)
+            return;
+        depth += (kind == TOKEN_LPAREN) - (kind == TOKEN_RPAREN);
+        stream_next(p);
+    }
+}
+
 /* "(" and the name of a file that is open for this. */
 static struct data_file *data_open_file(struct parser *p, bool reading,
                                         const struct word **name)
@@ -102,6 +114,7 @@ static struct data_file *data_open_file(struct parser *p, bool reading,
                  arena_printf(p->arena, "#fopen %s \"FILE\" %s", (*name)->text,
                               reading ? "read" : "write"),
                  "'%s' is not an open file", (*name)->text);
+        data_skip(p);
         return NULL;
     }
     if (reading == (value->file->list != NULL))

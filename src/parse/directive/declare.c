@@ -226,6 +226,8 @@ static const char *declare_counted(struct parser *p, const struct word *name)
                             p->token_span.source->text + p->token_span.offset);
     if (kind == TOKEN_COLON)
         return "=";
+    if (kind == TOKEN_SEMICOLON)
+        return "= 0";
     if (kind == TOKEN_LPAREN)
         return "= function(x) { ... }";
     if (kind != TOKEN_PLUS && kind != TOKEN_MINUS && kind != TOKEN_STAR &&
@@ -239,9 +241,14 @@ static const char *declare_counted(struct parser *p, const struct word *name)
 
 static bool declare_equal(struct parser *p, const struct word *name)
 {
-    return stream_peek_infix(p)->kind == TOKEN_EQUAL
-               ? expect(p, TOKEN_EQUAL, span_none())
-               : error_expected_hint(p, "'='", declare_counted(p, name));
+    if (stream_peek_infix(p)->kind != TOKEN_EQUAL)
+        return error_expected_hint(p, "'='", declare_counted(p, name));
+    struct span span = stream_span(p);
+    stream_next(p);
+    if (stream_peek(p)->kind != TOKEN_EQUAL)
+        return true;
+    return error_at(p, span_join(span, p->token_span), "=",
+                    "a value is given with one '='");
 }
 
 static bool declare_head(struct parser *p, struct declaration *head)
