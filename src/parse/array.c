@@ -400,6 +400,12 @@ bool parse_array(struct parser *p, struct value *value)
             return false;
     if (array_is_mixed(p))
         return false;
+    if (stream_peek_infix(p)->kind == TOKEN_EQUAL) {
+        error_at(p, p->token_span, NULL,
+                 "no '=' stands between an array's size and its values");
+        stream_next(p);
+        return false;
+    }
     array->elements = ARENA_ARRAY(p->arena, struct value, array->count);
     struct value *next = array->elements;
     *value = (struct value){ .kind = VALUE_ARRAY, .array = array };

@@ -244,6 +244,35 @@ static void note_declaring(struct parser *p, const struct word *name)
                 name->text);
 }
 
+/* Where the name is declared further on in the file; nowhere: it isn't. */
+static struct span declared_below(struct parser *p, const struct word *name)
+{
+    const struct token_list *list = p->cursor->list;
+    if (list->source != p->token_span.source)
+        return span_none();
+    for (size_t i = p->cursor->index; i + 1 < list->count; i++) {
+        const struct token *token = &list->tokens[i];
+        bool declares = token->kind == TOKEN_DIRECTIVE &&
+                        (token->word->keyword == KEYWORD_DECLARE ||
+                         token->word->keyword == KEYWORD_LOCAL ||
+                         token->word->keyword == KEYWORD_MACRO);
+        if (declares && token[1].kind == TOKEN_WORD && token[1].word == name)
+            return token_span(list, i + 1);
+    }
+    return span_none();
+}
+
+bool error_below(struct parser *p, const struct word *name)
+{
+    struct span below = declared_below(p, name);
+    if (!below.source)
+        return false;
+    error_at(p, p->token_span, NULL, "'%s' is used before it is declared",
+             name->text);
+    note_at(p, below, "it is declared here, below");
+    return true;
+}
+
 /* The declared name that is nearest, but no other value where a string is
  * wanted: its quotes are forgotten. */
 static const char *error_nearest(struct parser *p, const char *wanted,
@@ -334,6 +363,8 @@ static bool error_undeclared(struct parser *p, const char *wanted,
         return false;
     if (error_foreign(p, token->word->text) || mistaken_degrees(p) ||
         error_later_word(p, token->word, ""))
+        return true;
+    if (strcmp(wanted, "a condition") != 0 && error_below(p, token->word))
         return true;
     const char *declared = symbol_nearest(p, token->word->text);
     if (!hint && declared && text_equal_nocase(declared, token->word->text))

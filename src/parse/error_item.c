@@ -145,6 +145,10 @@ static bool error_no_item(struct parser *p, const char *block)
         : kind == TOKEN_STRING ? "; a declared name stands without quotes"
                                : "";
     const char *hint = comma && values ? primitive_hint(p, block) : NULL;
+    if (values && !comma && strcmp(block, "camera") == 0)
+        hint = kind == TOKEN_LESS ? "location <0, 1, -5>" : NULL;
+    if (kind == TOKEN_NUMBER && !comma && strcmp(block, "interior") == 0)
+        hint = "ior 1.5";
     if (values && !hint && !side)
         hint = error_bare_vector(p);
     return error_at(p, p->token_span, hint, "unexpected %s in %s%s",
@@ -207,6 +211,10 @@ static const char *error_meant(struct parser *p, const struct word *word,
     const char *symbol = symbol_nearest(p, word->text), *known = NULL;
     if (symbol && text_equal_nocase(symbol, word->text))
         return symbol;
+    size_t left;
+    const struct word *small = mistaken_case(p, word->text, word->length);
+    if (small->reserved && stream_raw(p, &left)->kind == TOKEN_LBRACE)
+        return small->text;
     if (!word->reserved)
         known = standard_include(p, word->text);
     if (!word->reserved && !known)
@@ -296,7 +304,8 @@ bool error_unknown_item(struct parser *p, const char *block,
     if (!belongs)
         belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);
-    if (error_pattern(p, word, block) || error_flag(p, word))
+    if (error_pattern(p, word, block) || error_flag(p, word) ||
+        (!word->reserved && !kind && error_below(p, word)))
         return false;
     if (kind)
         error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",

@@ -285,6 +285,7 @@ static bool mistaken_after_message(struct parser *p)
     error_at(p, p->token_span, "concat(\"a = \", str(a, 0, 3))",
              "'#%s' takes one string; concat() joins several",
              before[0].word->text);
+    mistaken_skip_line(p, p->token_span);
     stream_next(p);
     return true;
 }

@@ -1,5 +1,6 @@
 /* #fopen #fclose #read #write: data files. They are read as includes are, and
  * never written: a scene may come from a stranger. */
+#include "base/text.h"
 #include "parse/array.h"
 #include "parse/data_file.h"
 #include "parse/directive.h"
@@ -19,12 +20,25 @@ static const struct word *data_name(struct parser *p, const char *wanted)
     return NULL;
 }
 
+static const char *fopen_mode_meant(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD)
+        return "read";
+    struct text_nearest nearest = text_nearest_start(token->word->text);
+    text_nearest_try(&nearest, "read");
+    text_nearest_try(&nearest, "write");
+    text_nearest_try(&nearest, "append");
+    return nearest.best ? nearest.best : "read";
+}
+
 static bool fopen_mode(struct parser *p, enum keyword *mode)
 {
     *mode = stream_keyword(p);
     if (*mode != KEYWORD_READ && *mode != KEYWORD_WRITE &&
         *mode != KEYWORD_APPEND)
-        return error_expected(p, "'read', 'write' or 'append'");
+        return error_expected_hint(p, "'read', 'write' or 'append'",
+                                   fopen_mode_meant(p));
     stream_next(p);
     return true;
 }
