@@ -213,7 +213,8 @@ static const char *error_meant(struct parser *p, const struct word *word,
         return symbol;
     size_t left;
     const struct word *small = mistaken_case(p, word->text, word->length);
-    if (small->reserved && stream_raw(p, &left)->kind == TOKEN_LBRACE)
+    if (small != word && small->reserved &&
+        stream_raw(p, &left)->kind == TOKEN_LBRACE)
         return small->text;
     if (!word->reserved)
         known = standard_include(p, word->text);
