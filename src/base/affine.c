@@ -216,6 +216,18 @@ struct box3 box3_intersection(struct box3 a, struct box3 b)
     return (struct box3){ vec3_max(a.low, b.low), vec3_min(a.high, b.high) };
 }
 
+double box3_volume(struct box3 box)
+{
+    enum { SIDES = 3 };
+    const double most = 1e10;
+    const double low[SIDES] = { box.low.x, box.low.y, box.low.z };
+    const double high[SIDES] = { box.high.x, box.high.y, box.high.z };
+    double volume = 1;
+    for (int i = 0; i < SIDES; i++)
+        volume *= fmax(fmin(high[i], most) - fmax(low[i], -most), 0);
+    return volume;
+}
+
 struct box3 box3_add(struct box3 a, vec3 p)
 {
     return (struct box3){ vec3_min(a.low, p), vec3_max(a.high, p) };

@@ -93,6 +93,9 @@ struct box3 box3_empty(void);
 struct box3 box3_infinite(void);
 struct box3 box3_union(struct box3 a, struct box3 b);
 struct box3 box3_intersection(struct box3 a, struct box3 b);
+
+/* As POV-Ray sees it, to which nothing is larger than 1e10 (measured). */
+double box3_volume(struct box3 box);
 struct box3 box3_add(struct box3 a, vec3 p);
 static inline bool box3_is_empty(struct box3 a)
 {

@@ -211,6 +211,11 @@ bool option_unknown(struct option_reader *reader, const struct setting *setting,
         hint = arena_printf(arena,
                             "+%s wants a number; glim --help lists the options",
                             letters->letters);
+    } else if (!hint && start == 0 && !setting->span.source && *rest == '=') {
+        hint = arena_printf(arena,
+                            "type Declare=%s to give the scene a value; glim "
+                            "--help lists the options",
+                            name);
     } else if (!hint && !setting->span.source) {
         hint = "glim --help lists the options";
     }

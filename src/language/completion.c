@@ -177,6 +177,7 @@ static void completion_values(struct completion *c)
                                              "image_width",
                                              "image_height",
                                              "frame_number",
+                                             "input_file_name",
                                              "rgb",
                                              "rgbf",
                                              "rgbt",

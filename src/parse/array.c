@@ -333,10 +333,43 @@ static bool array_add_dimension(struct parser *p, struct array *array)
 static bool array_is_mixed(struct parser *p)
 {
     const struct token *token = stream_peek_infix(p);
-    if (token->kind != TOKEN_WORD || strcmp(token->word->text, "mixed") != 0)
+    return token->kind == TOKEN_WORD && !token->word->reserved &&
+           error_later_word(p, token->word, "array");
+}
+
+/* How many values stand from the token on to the '}' they end with. */
+static int array_values_counted(const struct token *token)
+{
+    int count = 1;
+    for (int depth = 0; depth >= 0; token++) {
+        enum token_kind kind = token->kind;
+        if (kind == TOKEN_END)
+            return 0;
+        depth += kind == TOKEN_LBRACE || kind == TOKEN_LESS ||
+                 kind == TOKEN_LPAREN || kind == TOKEN_LBRACKET;
+        depth -= kind == TOKEN_RBRACE || kind == TOKEN_GREATER ||
+                 kind == TOKEN_RPAREN || kind == TOKEN_RBRACKET;
+        count += depth == 0 && kind == TOKEN_COMMA;
+    }
+    return count;
+}
+
+/* `array {1, 2}` and `array[] {1, 2}`, of a later version: as long as what is
+ * given. */
+static bool array_is_unsized(struct parser *p)
+{
+    size_t left;
+    enum token_kind kind = stream_peek(p)->kind;
+    const struct token *next = stream_raw(p, &left);
+    if (kind == TOKEN_LBRACKET && left > 2 && next[0].kind == TOKEN_RBRACKET &&
+        next[1].kind == TOKEN_LBRACE)
+        next += 2;
+    else if (kind != TOKEN_LBRACE || left == 0)
         return false;
-    error_later(p, NULL, "a mixed array",
-                "all elements of an array are of one kind");
+    int count = array_values_counted(next);
+    error_at(p, p->token_span,
+             count ? arena_printf(p->arena, "[%d]", count) : "[3]",
+             "an array without its size needs POV-Ray 3.8, and glim reads 3.7");
     return true;
 }
 
@@ -357,6 +390,8 @@ bool parse_array(struct parser *p, struct value *value)
     struct array *array = ARENA_NEW(p->arena, struct array);
     stream_next(p);
     array->count = 1;
+    if (array_is_mixed(p) || array_is_unsized(p))
+        return false;
     if (stream_peek(p)->kind != TOKEN_LBRACKET)
         return error_expected_hint(p, "'[' and the size of the array",
                                    array_size_hint(p));
@@ -365,6 +400,12 @@ bool parse_array(struct parser *p, struct value *value)
             return false;
     if (array_is_mixed(p))
         return false;
+    if (stream_peek_infix(p)->kind == TOKEN_EQUAL) {
+        error_at(p, p->token_span, NULL,
+                 "no '=' stands between an array's size and its values");
+        stream_next(p);
+        return false;
+    }
     array->elements = ARENA_ARRAY(p->arena, struct value, array->count);
     struct value *next = array->elements;
     *value = (struct value){ .kind = VALUE_ARRAY, .array = array };

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <stdio.h>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "parse/error_parts.h"
 #include "parse/expression.h"
@@ -94,11 +95,52 @@ bool error_at(struct parser *p, struct span span, const char *hint,
     return false;
 }
 
+/* In a loop a warning is given once, and that it comes again. */
+struct warned {
+    struct span span;
+    uint64_t text;
+    bool again;
+};
+
+static void note_warned_again(struct parser *p, struct span span)
+{
+    struct source_place place = source_locate(span.source, span.offset);
+    diag_print(p->diag, DIAG_NOTE, span_none(), NULL,
+               "the warning of %s:%u:%u comes again and is not repeated",
+               span.source->name, place.line, place.column);
+}
+
+static bool warning_comes_again(struct parser *p, struct span span,
+                                const char *format, va_list arguments)
+{
+    char text[200]; /* what is beyond hardly tells two of a place apart */
+    vsnprintf(text, sizeof text, format, arguments);
+    uint64_t hash = hash_text(0, text);
+    for (size_t i = 0; i < p->warned.count; i++) {
+        struct warned *warned = &p->warned.items[i];
+        if (warned->text != hash || !span_is(warned->span, span))
+            continue;
+        if (!warned->again)
+            note_warned_again(p, span);
+        warned->again = true;
+        return true;
+    }
+    if (p->warned.count < DIAG_WARNING_LIMIT) /* more are not printed */
+        *ARRAY_PUSH(p->arena, &p->warned) =
+            (struct warned){ .span = span, .text = hash };
+    return false;
+}
+
 void warning_at(struct parser *p, struct span span, const char *hint,
                 const char *format, ...)
 {
     va_list arguments;
     p->silent = false;
+    va_start(arguments, format);
+    bool again = span.source && warning_comes_again(p, span, format, arguments);
+    va_end(arguments);
+    if (again)
+        return;
     va_start(arguments, format);
     diag_vprint(p->diag, DIAG_WARNING, span, hint, format, arguments);
     va_end(arguments);
@@ -153,17 +195,6 @@ static const char *error_near_pattern(const char *wanted, const char *text)
     return nearest.best;
 }
 
-bool error_later(struct parser *p, const char *hint, const char *what,
-                 const char *instead)
-{
-    error_at(p, p->token_span, hint,
-             "%s needs POV-Ray 3.8, and glim reads 3.7; %s", what, instead);
-    stream_next(p);
-    if (stream_peek(p)->kind == TOKEN_LBRACE)
-        skip_brackets(p);
-    return false;
-}
-
 /* `&lt;`, of a scene that was copied out of a web page's source. */
 static const char *error_entity(struct parser *p, const char *word)
 {
@@ -197,11 +228,7 @@ static bool error_foreign(struct parser *p, const char *word)
         stream_next(p);
         return true;
     }
-    if (strcmp(word, "dictionary") != 0)
-        return false;
-    error_later(p, "array[3]", "a dictionary",
-                "an array keeps values by number");
-    return true;
+    return false;
 }
 
 /* A name that is used while its own declaration goes on. */
@@ -215,6 +242,35 @@ static void note_declaring(struct parser *p, const struct word *name)
                 "this '{' of the declaration of '%s' is not closed yet; a '}' "
                 "may be missing",
                 name->text);
+}
+
+/* Where the name is declared further on in the file; nowhere: it isn't. */
+static struct span declared_below(struct parser *p, const struct word *name)
+{
+    const struct token_list *list = p->cursor->list;
+    if (list->source != p->token_span.source)
+        return span_none();
+    for (size_t i = p->cursor->index; i + 1 < list->count; i++) {
+        const struct token *token = &list->tokens[i];
+        bool declares = token->kind == TOKEN_DIRECTIVE &&
+                        (token->word->keyword == KEYWORD_DECLARE ||
+                         token->word->keyword == KEYWORD_LOCAL ||
+                         token->word->keyword == KEYWORD_MACRO);
+        if (declares && token[1].kind == TOKEN_WORD && token[1].word == name)
+            return token_span(list, i + 1);
+    }
+    return span_none();
+}
+
+bool error_below(struct parser *p, const struct word *name)
+{
+    struct span below = declared_below(p, name);
+    if (!below.source)
+        return false;
+    error_at(p, p->token_span, NULL, "'%s' is used before it is declared",
+             name->text);
+    note_at(p, below, "it is declared here, below");
+    return true;
 }
 
 /* The declared name that is nearest, but no other value where a string is
@@ -305,8 +361,14 @@ static bool error_undeclared(struct parser *p, const char *wanted,
     if (token->kind != TOKEN_WORD || token->word->reserved ||
         symbol_lookup(p, token->word))
         return false;
-    if (error_foreign(p, token->word->text) || mistaken_degrees(p))
+    if (error_foreign(p, token->word->text) || mistaken_degrees(p) ||
+        error_later_word(p, token->word, ""))
         return true;
+    if (strcmp(wanted, "a condition") != 0 && error_below(p, token->word))
+        return true;
+    const char *declared = symbol_nearest(p, token->word->text);
+    if (!hint && declared && text_equal_nocase(declared, token->word->text))
+        hint = declared;
     if (!hint)
         hint = standard_include(p, token->word->text);
     if (!hint)

@@ -145,10 +145,28 @@ static bool error_no_item(struct parser *p, const char *block)
         : kind == TOKEN_STRING ? "; a declared name stands without quotes"
                                : "";
     const char *hint = comma && values ? primitive_hint(p, block) : NULL;
+    if (values && !comma && strcmp(block, "camera") == 0)
+        hint = kind == TOKEN_LESS ? "location <0, 1, -5>" : NULL;
+    if (kind == TOKEN_NUMBER && !comma && strcmp(block, "interior") == 0)
+        hint = "ior 1.5";
     if (values && !hint && !side)
         hint = error_bare_vector(p);
     return error_at(p, p->token_span, hint, "unexpected %s in %s%s",
                     error_found(p), error_block(p, block), why);
+}
+
+/* `x y`: a sum of axes, as far as it is written. */
+static bool error_axes(struct parser *p)
+{
+    struct span last = p->last_span, word = p->token_span;
+    const char *text = last.source ? last.source->text + last.offset : "";
+    if (last.source != word.source || last.length != 1 || word.length != 1 ||
+        !strchr("xyz", *text) || !strchr("xyz", *p->token.word->text))
+        return false;
+    error_at(p, span_join(last, word),
+             arena_printf(p->arena, "%c + %s", *text, p->token.word->text),
+             "an operator stands between two vectors");
+    return true;
 }
 
 /* A number right before x, y or z: 20y is meant as a product. */
@@ -158,6 +176,8 @@ static bool error_product(struct parser *p)
     if (!constant_is(p, p->token.word->keyword) ||
         number.source != word.source || number.offset >= word.offset)
         return false;
+    if (error_axes(p))
+        return true;
     size_t end = number.offset + number.length;
     size_t blanks = strspn(word.source->text + end, " ");
     if (end + blanks != word.offset ||
@@ -191,6 +211,11 @@ static const char *error_meant(struct parser *p, const struct word *word,
     const char *symbol = symbol_nearest(p, word->text), *known = NULL;
     if (symbol && text_equal_nocase(symbol, word->text))
         return symbol;
+    size_t left;
+    const struct word *small = mistaken_case(p, word->text, word->length);
+    if (small != word && small->reserved &&
+        stream_raw(p, &left)->kind == TOKEN_LBRACE)
+        return small->text;
     if (!word->reserved)
         known = standard_include(p, word->text);
     if (!word->reserved && !known)
@@ -268,9 +293,10 @@ bool error_unknown_item(struct parser *p, const char *block,
         return false;
     if (token->kind != TOKEN_WORD)
         return error_no_item(p, block);
-    if (error_product(p) || mistaken_number(p))
-        return false;
     const struct word *word = token->word;
+    if (error_product(p) || mistaken_number(p) ||
+        error_later_word(p, word, block))
+        return false;
     const char *belongs = unclosed_hint(p);
     if (!belongs)
         belongs = error_bare_object(p, word);
@@ -279,7 +305,8 @@ bool error_unknown_item(struct parser *p, const char *block,
     if (!belongs)
         belongs = item_belongs(p, word, block);
     const char *kind = error_kind(p);
-    if (error_pattern(p, word, block) || error_flag(p, word))
+    if (error_pattern(p, word, block) || error_flag(p, word) ||
+        (!word->reserved && !kind && error_below(p, word)))
         return false;
     if (kind)
         error_at(p, p->token_span, belongs, "'%s', %s, is not allowed in %s",

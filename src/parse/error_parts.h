@@ -21,6 +21,10 @@ const char *error_found(struct parser *p);
 /* What the next token names, "a texture"; NULL: nothing. */
 const char *error_kind(struct parser *p);
 
+/* If the next word, which isn't declared, is so further on in the file: reports
+ * it. */
+bool error_below(struct parser *p, const struct word *name);
+
 /* The word read last, and how long it is; NULL: it was none. */
 const char *error_last_word(const struct parser *p, int *length);
 

@@ -97,16 +97,69 @@ static size_t file_stem(const char *name)
     return dot ? (size_t)(dot - name) : strlen(name);
 }
 
+/* For "did you mean" of file names: the nearest name that differs by its
+ * extension alone, or by what is before it, or goes on where that ends, as
+ * colors.inc does for col.inc. Both together are never compared: ior.inc would
+ * be nearer. */
+struct file_nearest {
+    const char *extension;
+    struct text_nearest names, stems;
+    const char *best, *longer; /* of one stem or longer; whole names */
+};
+
+static const char *file_stem_of(struct parser *p, const char *name)
+{
+    return arena_copy_text(p->arena, name, file_stem(name));
+}
+
+static struct file_nearest file_nearest_start(struct parser *p,
+                                              const char *name)
+{
+    const char *stem = file_stem_of(p, name);
+    return (struct file_nearest){ .extension = name + strlen(stem),
+                                  .names = text_nearest_start(name),
+                                  .stems = text_nearest_start(stem) };
+}
+
+static void file_nearest_try(struct parser *p, struct file_nearest *nearest,
+                             const char *name)
+{
+    enum { SHORTEST = 3 };
+    const char *word = nearest->stems.word, *stem = file_stem_of(p, name);
+    if (text_equal_nocase(word, stem))
+        text_nearest_try(&nearest->names, name);
+    if (*nearest->extension &&
+        !text_equal_nocase(nearest->extension, name + strlen(stem)))
+        return;
+    const char *before = nearest->stems.best;
+    text_nearest_try(&nearest->stems, stem);
+    if (nearest->stems.best != before)
+        nearest->best = name;
+    size_t length = strlen(word);
+    bool begins = length >= SHORTEST && strncmp(word, stem, length) == 0;
+    if (begins && (!nearest->longer || strlen(name) < strlen(nearest->longer)))
+        nearest->longer = name;
+}
+
+/* NULL: none is near. */
+static const char *file_nearest_end(const struct file_nearest *nearest)
+{
+    if (nearest->names.best)
+        return nearest->names.best;
+    return nearest->best ? nearest->best : nearest->longer;
+}
+
 /* Tries the names in directory `place`, and those in its part `folder`. */
 static void file_try_names(struct parser *p, const char *place,
-                           const char *folder, struct text_nearest *nearest)
+                           const char *folder, struct file_nearest *nearest)
 {
     const char *name = arena_printf(p->arena, "%s/%s", place, folder);
     DIR *directory =
         permits_denier_of(p->options->permits, name) ? NULL : opendir(name);
     struct dirent *entry;
     while (directory && (entry = readdir(directory)) != NULL)
-        text_nearest_try(nearest, arena_printf(p->arena, "%s", entry->d_name));
+        file_nearest_try(p, nearest,
+                         arena_printf(p->arena, "%s", entry->d_name));
     if (directory)
         closedir(directory);
 }
@@ -169,7 +222,7 @@ const char *file_hint(struct parser *p, const char *name)
     const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
     const char *folder =
         arena_printf(p->arena, "%.*s", (int)(last - name), name);
-    struct text_nearest nearest = text_nearest_start(last);
+    struct file_nearest nearest = file_nearest_start(p, last);
     char *list = arena_printf(p->arena, "looked in .");
     if (*name != '/')
         file_try_names(p, ".", folder, &nearest);
@@ -181,8 +234,9 @@ const char *file_hint(struct parser *p, const char *name)
         if (*name != '/')
             file_try_names(p, path, folder, &nearest);
     }
-    if (nearest.best)
-        return arena_printf(p->arena, "\"%s%s\"", folder, nearest.best);
+    const char *near = file_nearest_end(&nearest);
+    if (near)
+        return arena_printf(p->arena, "\"%s%s\"", folder, near);
     bool font = text_equal_nocase(last + file_stem(last), ".ttf");
     if (font && file_search(p, "timrom.ttf"))
         return "\"timrom.ttf\", \"cyrvetic.ttf\" and \"crystal.ttf\" come with "

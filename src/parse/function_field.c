@@ -51,6 +51,8 @@ static bool field_pattern(struct parser *p, struct pattern *pattern)
     enum taken taken = parse_pattern(p, pattern);
     if (taken == NOT_MINE)
         return error_expected(p, "a pattern");
+    if (taken == TAKEN && !parse_pattern_end(p, pattern, true))
+        return false;
     while (taken == TAKEN && stream_peek(p)->kind != TOKEN_RBRACE)
         taken = parse_pattern_item(p, pattern);
     return taken != NOT_MINE ? taken : error_unknown_item(p, "pattern", NULL);

@@ -58,7 +58,6 @@ static const struct synonym synonyms[] = {
     { "faces triangles", "mesh2", "face_indices" },
     { "normals", "mesh2", "normal_vectors" },
     { "uvs", "mesh2", "uv_vectors" },
-    { "fresnel", "finish", "reflection { 1 fresnel }" },
     { "texture_map", "texture", "gradient y texture_map { ... }" },
     { "sqrt", "julia_fractal", "sqr" },
     { "fov field_of_view zoom", NULL, "angle" },
@@ -286,6 +285,7 @@ static bool mistaken_after_message(struct parser *p)
     error_at(p, p->token_span, "concat(\"a = \", str(a, 0, 3))",
              "'#%s' takes one string; concat() joins several",
              before[0].word->text);
+    mistaken_skip_line(p, p->token_span);
     stream_next(p);
     return true;
 }

@@ -328,8 +328,11 @@ enum taken parse_moves(struct parser *p, struct modifiers *m)
 static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
     if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
-        error_at(p, stream_span(p), NULL,
-                 "the objects of '%s' come before its modifiers", m->block);
+        bool one = strcmp(m->block, "object") == 0;
+        error_at(p, stream_span(p), one ? "union { ... }" : NULL,
+                 one ? "'%s' is of one object, and this is another"
+                     : "the objects of '%s' come before its modifiers",
+                 m->block);
         note_unclosed(p);
         return false;
     }

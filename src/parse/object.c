@@ -107,7 +107,13 @@ struct object *object_seen(struct parser *p, struct object *object)
     const struct primitive *primitive = object->primitive;
     bool unseen = object->kind == OBJECT_SHAPE && primitive->unseen &&
                   primitive->unseen(object->shape);
-    return unseen ? object_empty(p, object->span) : object;
+    if (!unseen)
+        return object;
+    warning_at(p, object->span, NULL,
+               "a '%s' with a negative radius shows in intersections and "
+               "differences alone",
+               primitive->name);
+    return object_empty(p, object->span);
 }
 
 bool object_adopt(struct parser *p, struct object *object,

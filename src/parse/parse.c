@@ -9,12 +9,26 @@
 #include "parse/stream.h"
 #include "parse/symbol.h"
 
+static void parse_predeclare_value(struct parser *p, const char *name,
+                                   struct value value)
+{
+    symbol_set(p, word_intern(p->words, name, strlen(name)), value, false);
+}
+
 static void parse_predeclare(struct parser *p, const char *name, double number)
 {
-    const struct word *word = word_intern(p->words, name, strlen(name));
-    symbol_set(p, word,
-               (struct value){ .kind = VALUE_FLOAT, .number = { number } },
-               false);
+    parse_predeclare_value(
+        p, name, (struct value){ .kind = VALUE_FLOAT, .number = { number } });
+}
+
+/* The name of the scene's file, without where that is. */
+static void parse_predeclare_file(struct parser *p, const struct source *main)
+{
+    const char *slash = strrchr(main->name, '/');
+    parse_predeclare_value(
+        p, "input_file_name",
+        (struct value){ .kind = VALUE_STRING,
+                        .text = slash ? slash + 1 : main->name });
 }
 
 /* What POV-Ray declares too before the first line: the scene may declare it
@@ -110,6 +124,7 @@ static void parse_run(struct parser *p, const struct source *main)
     p->global = p->scope;
     parse_predeclare(p, "Glim", GLIM_VERSION_NUMBER);
     parse_predeclare_frame(p);
+    parse_predeclare_file(p, main);
     defaults_init(p);
     for (size_t i = 0; i < p->options->declare_count; i++)
         parse_declare(p, &p->options->declares[i]);

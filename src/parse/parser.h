@@ -98,10 +98,15 @@ struct parser {
         struct finish **items;
         size_t count, capacity;
     } finishes; /* all: the last #version decides how they filter */
-    struct image_cache *images;      /* read for image_map; image_map.c */
-    struct typeface *fonts;          /* read for text; text.c */
-    struct shapes_made *shapes;      /* object.c */
-    struct curves_made *curves;      /* of prisms and lathes; curve.c */
+    struct {
+        struct warned *items;
+        size_t count, capacity;
+    } warned;                   /* warnings that were given; error.c */
+    struct image_cache *images; /* read for image_map; image_map.c */
+    struct typeface *fonts;     /* read for text; text.c */
+    bool letters_told;          /* that POV-Ray has other letters; text.c */
+    struct shapes_made *shapes; /* object.c */
+    struct curves_made *curves; /* of prisms and lathes; curve.c */
     struct density_cache *densities; /* read; density_file.c */
     struct data_files *data_files;   /* what the scene wrote; data_file.c */
     struct random_streams *randoms;  /* seed(), rand() */
@@ -168,6 +173,11 @@ bool error_unopened(struct parser *p);
  * block behind it. */
 bool error_later(struct parser *p, const char *hint, const char *what,
                  const char *instead);
+
+/* The same of a word that an earlier version doesn't know, "" being the block
+ * where a value is wanted; tells whether it is one. */
+bool error_later_word(struct parser *p, const struct word *word,
+                      const char *block);
 
 /* An unknown word in a block: "unknown item 'pigmnt' in 'sphere'", the hint
  * being the nearest of the reserved words or of `fields`. */

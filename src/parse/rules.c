@@ -1,6 +1,9 @@
 /* Small helps for reading the inside of blocks. */
 #include "parse/rules.h"
 
+#include "base/text.h"
+#include "parse/symbol.h"
+
 bool at_word(struct parser *p, const char *word)
 {
     const struct token *token = stream_peek(p);
@@ -66,6 +69,18 @@ bool skip_block(struct parser *p)
     return true;
 }
 
+/* The field that is meant, unless a name is, declared or of an include file. */
+static const char *near_field(struct parser *p, const struct word *word,
+                              const struct field *fields)
+{
+    struct text_nearest nearest = text_nearest_start(word->text);
+    if (symbol_nearest(p, word->text) || standard_include(p, word->text))
+        return NULL;
+    for (; fields && fields->name; fields++)
+        text_nearest_try(&nearest, fields->name);
+    return nearest.best;
+}
+
 bool error_unknown_thing(struct parser *p, const char *block,
                          const struct field *names, const char *thing)
 {
@@ -74,7 +89,7 @@ bool error_unknown_thing(struct parser *p, const char *block,
     const struct token *next = stream_raw(p, &left);
     if (token->kind == TOKEN_WORD && !token->word->reserved && left > 0 &&
         next->kind == TOKEN_RBRACE)
-        return error_expected(p, thing);
+        return error_expected_hint(p, thing, near_field(p, token->word, names));
     return error_unknown_item(p, block, names);
 }
 

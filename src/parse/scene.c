@@ -249,11 +249,27 @@ bool at_scene_item(struct parser *p)
     }
 }
 
+/* Whether the next token is a word that begins a line behind a '}': something
+ * of its own, as the call of a macro that isn't known. */
+static bool at_new_line(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    struct span last = p->last_span, at = p->token_span;
+    if (token->kind != TOKEN_WORD || token->word->reserved ||
+        last.source != at.source || last.source->text[last.offset] != '}')
+        return false;
+    const char *text = at.source->text + at.offset;
+    while (text > at.source->text && (text[-1] == ' ' || text[-1] == '\t'))
+        text--;
+    return text > at.source->text && text[-1] == '\n';
+}
+
 /* After an error: to where something known begins. */
 static void scene_recover(struct parser *p)
 {
     struct span open;
-    while (stream_peek(p)->kind != TOKEN_END && !at_scene_item(p))
+    while (stream_peek(p)->kind != TOKEN_END && !at_scene_item(p) &&
+           !at_new_line(p))
         if (stream_peek(p)->kind != TOKEN_LBRACE)
             stream_next(p);
         else if (block_begin(p, &open))

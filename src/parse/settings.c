@@ -139,6 +139,7 @@ static enum taken parse_setting_without_effect(struct parser *p)
         stream_next(p);
         if (stream_peek(p)->kind != TOKEN_WORD)
             return error_expected(p, "'ascii', 'utf8' or 'sys'");
+        p->letters_told = at_word(p, "utf8");
         stream_next(p);
         return TAKEN;
     case KEYWORD_MAX_INTERSECTIONS:

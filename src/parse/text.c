@@ -178,6 +178,21 @@ static bool text_letters(struct parser *p, struct object *text,
     return true;
 }
 
+/* Letters beyond ASCII are drawn as they are written. POV-Ray has none for them
+ * unless it is told of UTF-8 (measured). */
+static void warn_letters(struct parser *p, const char *string, struct span span)
+{
+    const char *c = string;
+    while (*c && (unsigned char)*c < 128)
+        c++;
+    if (!*c || p->letters_told)
+        return;
+    p->letters_told = true;
+    warning_at(p, span, "global_settings { charset utf8 }",
+               "POV-Ray draws a blank or another letter for one that isn't "
+               "ASCII, unless the scene says its charset");
+}
+
 /* text_arguments = font [","] string [","] float [","] vector . */
 static bool parse_text_arguments(struct parser *p, struct object *text)
 {
@@ -188,8 +203,10 @@ static bool parse_text_arguments(struct parser *p, struct object *text)
     if (!parse_font(p, &face))
         return false;
     accept(p, TOKEN_COMMA);
+    struct span span = stream_span(p);
     if (!parse_string(p, &string))
         return false;
+    warn_letters(p, string, span);
     accept(p, TOKEN_COMMA);
     if (!at_expression(p))
         return error_expected_hint(p, "how thick the letters are, a number",

@@ -141,6 +141,14 @@ static struct box3 julia_bounds(const void *shape)
     return (struct box3){ vec3_negate(r), r };
 }
 
+/* Around the radius, wherever the fractal itself ends (measured). */
+static struct box3 julia_told(const void *shape, const affine *place)
+{
+    double radius = ((const struct julia_fractal *)shape)->radius;
+    vec3 r = { radius, radius, radius };
+    return affine_box(place, (struct box3){ vec3_negate(r), r });
+}
+
 /* ---- rays ---- */
 
 static void julia_crossings(const void *shape, const struct ray *ray,
@@ -385,6 +393,7 @@ const struct primitive julia_fractal_primitive = {
     .bounded = BOUNDS_IGNORED,
     .prepare = julia_prepare,
     .bounds = julia_bounds,
+    .told = julia_told,
     .intersect = julia_intersect,
     .crossings = julia_crossings,
     .crosses = julia_crosses,

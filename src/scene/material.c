@@ -268,3 +268,16 @@ const struct texture *texture_mapped(struct arena *arena,
         mapped->layers[i] = layer_mapped(arena, &texture->layers[i]);
     return mapped;
 }
+
+const struct texture *texture_default(struct arena *arena)
+{
+    struct texture *texture = ARENA_NEW(arena, struct texture);
+    struct pigment *pigment = ARENA_NEW(arena, struct pigment);
+    struct finish *finish = ARENA_NEW(arena, struct finish);
+    *pigment = pigment_default(arena);
+    *finish = finish_default();
+    texture->layers = ARENA_NEW(arena, struct layer);
+    texture->count = 1;
+    texture->layers[0] = (struct layer){ pigment, NULL, finish };
+    return texture;
+}

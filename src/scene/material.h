@@ -236,6 +236,9 @@ struct interior interior_default(void);
 /* Opaque black, as POV-Ray's. */
 struct pigment pigment_default(struct arena *arena);
 
+/* One layer of the default pigment and finish: of objects without a texture. */
+const struct texture *texture_default(struct arena *arena);
+
 /* Pigments nested in pigments more deeply than this are black; the parser
  * should refuse them. */
 enum { PIGMENT_DEPTH = 32 };

@@ -125,7 +125,7 @@ void object_move(struct arena *arena, struct object *object,
 
 bool object_is_bounded(const struct object *object)
 {
-    if (!object->more->bound_count || object->kind == OBJECT_MESH)
+    if (!object->more->bound_count)
         return false;
     return object->kind != OBJECT_SHAPE ||
            object->primitive->bounded != BOUNDS_IGNORED;
@@ -207,14 +207,17 @@ static struct box3 object_own_bounds(const struct object *object)
     return affine_box(object->maps->own, object_children_bounds(object));
 }
 
+/* The box around what all of them share, if that is smaller (measured). */
 static struct box3 box_within(struct box3 box, const struct clip *clips,
                               size_t count)
 {
+    struct box3 shared = box3_infinite();
     for (size_t i = 0; i < count; i++) {
         struct box3 limit = object_bounds(clips[i].object);
-        box = box3_intersection(box, affine_box(&clips[i].transform, limit));
+        shared =
+            box3_intersection(shared, affine_box(&clips[i].transform, limit));
     }
-    return box;
+    return box3_volume(shared) < box3_volume(box) ? shared : box;
 }
 
 static bool box_is_endless(struct box3 box)

@@ -64,12 +64,20 @@ static double cylinder_attenuation(const struct lamp *lamp, vec3 offset)
     return share;
 }
 
+/* Behind the plane of a parallel light the distance is below 0, and its odd
+ * powers are too; those that aren't whole are no number, and no light: POV-Ray
+ * has it so (measured). Its endless brightness at -D, and what is below nothing
+ * beyond, would be all that other surfaces get to see: both end at what there
+ * is before the plane. */
 double lamp_fading(const struct lamp *lamp, double distance)
 {
     if (!lamp->fades)
         return 1;
-    double ratio = fabs(distance) / lamp->light->fade_distance;
-    return 2 / (1 + power_of(ratio, lamp->light->fade_power));
+    double ratio = distance / lamp->light->fade_distance;
+    double below = 1 + power_of(ratio, lamp->light->fade_power);
+    if (isnan(below) || below <= 0)
+        return 0;
+    return 2 / fmax(below, 1);
 }
 
 /* Parallel lights and cylinders shine along their axis; their distance is

@@ -424,8 +424,9 @@ static void add_limits(struct flat *flat, const struct object *object,
         return;
     struct limits limits =
         build_limits(flat, object->more->bounds, object->more->bound_count, up);
-    if (root && object->kind == OBJECT_SHAPE &&
-        object->primitive->bounded == BOUNDS_AS_BOX) {
+    if (root && (object->kind == OBJECT_MESH ||
+                 (object->kind == OBJECT_SHAPE &&
+                  object->primitive->bounded == BOUNDS_AS_BOX))) {
         solid_bound_by_box(flat->arena, solid, limits.items, limits.count);
     } else {
         struct solid_more *more = solid_more(flat->arena, solid);
@@ -546,18 +547,28 @@ static void flatten_union(struct flat *flat, const struct object *object,
         flatten(flat, object->more->children[i], &in);
 }
 
-/* Whether the limits of unions around it cut the mesh. */
-static bool mesh_is_limited(const struct object *object,
+static bool limits_surround(struct limits limits, struct box3 box)
+{
+    for (size_t i = 0; i < limits.count; i++)
+        if (!solid_surrounds(limits.items[i], box))
+            return false;
+    return true;
+}
+
+/* Whether its own limits, or those of unions around it, cut the mesh. */
+static bool mesh_is_limited(struct flat *flat, const struct object *object,
                             const struct inherited *up)
 {
     affine to_world = affine_compose(up->to_world, *object->maps->own);
     struct box3 box = affine_box(&to_world, object->mesh->bounds);
     if (up->clips.count || object->more->clip_count)
         return true;
-    for (size_t i = 0; i < up->gates.count; i++)
-        if (!solid_surrounds(up->gates.items[i], box))
-            return true;
-    return false;
+    if (!limits_surround(up->gates, box))
+        return true;
+    return object->more->bound_count &&
+           !limits_surround(build_limits(flat, object->more->bounds,
+                                         object->more->bound_count, up),
+                            box);
 }
 
 /* An object that is no part of a CSG object. */
@@ -566,23 +577,10 @@ static void flatten(struct flat *flat, const struct object *object,
 {
     if (object->kind == OBJECT_UNION && !up->inverted && !object->inverse)
         flatten_union(flat, object, up);
-    else if (object->kind == OBJECT_MESH && !mesh_is_limited(object, up))
+    else if (object->kind == OBJECT_MESH && !mesh_is_limited(flat, object, up))
         add_mesh(flat, object, up);
     else
         add_solid(flat, object, up);
-}
-
-static const struct texture *fallback_texture(struct arena *arena)
-{
-    struct texture *texture = ARENA_NEW(arena, struct texture);
-    struct pigment *pigment = ARENA_NEW(arena, struct pigment);
-    struct finish *finish = ARENA_NEW(arena, struct finish);
-    *pigment = pigment_default(arena);
-    *finish = finish_default();
-    texture->layers = ARENA_NEW(arena, struct layer);
-    texture->count = 1;
-    texture->layers[0] = (struct layer){ pigment, NULL, finish };
-    return texture;
 }
 
 bool flatten_scene(struct flat *flat, const struct scene *scene)
@@ -591,7 +589,7 @@ bool flatten_scene(struct flat *flat, const struct scene *scene)
                              .to_tree = affine_identity(),
                              .from_texture = affine_identity(),
                              .looks_like = -1 };
-    flat->fallback = fallback_texture(flat->arena);
+    flat->fallback = texture_default(flat->arena);
     ARRAY_RESERVE(flat->arena, &flat->solids, scene->objects.count);
     ARRAY_RESERVE(flat->arena, &flat->containers, scene->objects.count);
     for (size_t i = 0; i < scene->objects.count && !flat->failed; i++)

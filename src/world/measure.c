@@ -174,19 +174,6 @@ static void keep_boxes(struct arena *arena, struct solid *solid)
         solid->holes = kept;
 }
 
-/* As POV-Ray sees it, to which nothing is larger than that (measured). */
-static double volume_of(struct box3 box)
-{
-    enum { SIDES = 3 };
-    const double most = 1e10;
-    const double low[SIDES] = { box.low.x, box.low.y, box.low.z };
-    const double high[SIDES] = { box.high.x, box.high.y, box.high.z };
-    double volume = 1;
-    for (int i = 0; i < SIDES; i++)
-        volume *= fmax(fmin(high[i], most) - fmax(low[i], -most), 0);
-    return volume;
-}
-
 void solid_bound_by_box(struct arena *arena, struct solid *solid,
                         const struct solid *const *bounds, size_t count)
 {
@@ -196,7 +183,7 @@ void solid_bound_by_box(struct arena *arena, struct solid *solid,
     for (size_t i = 0; i < count; i++)
         if (!solid_surrounds(bounds[i], own))
             box = box3_intersection(box, *bounds[i]->region);
-    if (!(volume_of(box) < volume_of(own)))
+    if (!(box3_volume(box) < box3_volume(own)))
         return;
     keep_boxes(arena, solid);
     solid->surface = box;

@@ -1,6 +1,6 @@
 // bounded_by smaller than what it bounds: rays that miss the box, or any bound
 // of a union, miss the object; others meet all of it, outside of the box too.
-// A box larger than the shape's own, and bounds of triangles, change nothing.
+// A box larger than the shape's own, and bounds of what is flat, change nothing.
 // compare: exact
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -28,3 +28,13 @@ global_settings { assumed_gamma 1 }
 // Lathes of Bezier curves: the box of their control points.
 #declare A = lathe { bezier_spline 4, <.5, 0>, <2, -1>, <1.5, 2.5>, <.6, 1.5> } Show(A)
 #declare A = lathe { quadratic_spline 5, <.9, -.5>, <.7, 0>, <.3, .7>, <.35, .7>, <.8, 1.5> scale 2 } Show(A)
+// Bounds and clips count where the box around what they share is smaller.
+#declare A = sphere { 0, 2 bounded_by { box { <-1, -1, -1>, <1, 5, 1> } } } Show(A)
+#declare A = union { sphere { 0, 2 } bounded_by { box { <-5, -5, -5>, <1, 5, 5> } } } Show(A)
+#declare A = sphere { 0, 2 clipped_by { box { <-5, -5, -5>, <1, 5, 5> } } bounded_by { box { <-1, -1, -1>, <2, 4, 2> } } } Show(A)
+#declare A = torus { 2, .5 bounded_by { sphere { 0, 1 } } } Show(A)
+#declare A = mesh { triangle { 0, x, y } triangle { x, y, z } bounded_by { box { <.1, -1, .1>, <.6, 1, .6> } } } Show(A)
+#declare A = mesh { triangle { 0, x, y } bounded_by { box { .1, .6 } } } Show(A)
+// Julia fractals: the radius beyond which nothing comes back.
+#declare A = julia_fractal { <-.5, .3, .2, .1> rotate 45*y } Show(A)
+#declare A = julia_fractal { <-.5, .3, .2, .1> hypercomplex } Show(A)

@@ -74,3 +74,8 @@ Check("file_exists", file_exists("check.inc")*2 + file_exists("no-such-file"), 2
 Check("defined", defined(Box)*2 + defined(Nothing), 2)
 #declare Words = text { ttf "timrom.ttf" "A. " 1, 0.5*x }
 CheckVector("extent of a text", max_extent(Words), <2.014,0.696,1>)
+// A pattern of an object, with what moves it inside and outside of its block.
+#declare F = function { pattern { object { sphere { 0, 1 translate x } scale 2 } } }
+#if (F(2, 0, 0) != 1 | F(-1, 0, 0) != 0) #error "the object's pattern" #end
+// The scene's own file.
+#if (strcmp(input_file_name, "functions.pov") != 0) #error "input_file_name" #end

@@ -1,5 +1,6 @@
 /* #fopen #fclose #read #write: data files. They are read as includes are, and
  * never written: a scene may come from a stranger. */
+#include "base/text.h"
 #include "parse/array.h"
 #include "parse/data_file.h"
 #include "parse/directive.h"
@@ -19,12 +20,25 @@ static const struct word *data_name(struct parser *p, const char *wanted)
     return NULL;
 }
 
+static const char *fopen_mode_meant(struct parser *p)
+{
+    const struct token *token = stream_peek(p);
+    if (token->kind != TOKEN_WORD)
+        return "read";
+    struct text_nearest nearest = text_nearest_start(token->word->text);
+    text_nearest_try(&nearest, "read");
+    text_nearest_try(&nearest, "write");
+    text_nearest_try(&nearest, "append");
+    return nearest.best ? nearest.best : "read";
+}
+
 static bool fopen_mode(struct parser *p, enum keyword *mode)
 {
     *mode = stream_keyword(p);
     if (*mode != KEYWORD_READ && *mode != KEYWORD_WRITE &&
         *mode != KEYWORD_APPEND)
-        return error_expected(p, "'read', 'write' or 'append'");
+        return error_expected_hint(p, "'read', 'write' or 'append'",
+                                   fopen_mode_meant(p));
     stream_next(p);
     return true;
 }
@@ -89,6 +103,18 @@ static bool fclose_run(struct parser *p, struct span at)
     return ok;
 }
 
+/* The rest of what is in the brackets, and the ')'. */
+static void data_skip(struct parser *p)
+{
+    for (int depth = 1; depth > 0;) {
+        enum token_kind kind = stream_peek_infix(p)->kind;
+        if (kind == TOKEN_END)
+            return;
+        depth += (kind == TOKEN_LPAREN) - (kind == TOKEN_RPAREN);
+        stream_next(p);
+    }
+}
+
 /* "(" and the name of a file that is open for this. */
 static struct data_file *data_open_file(struct parser *p, bool reading,
                                         const struct word **name)
@@ -102,6 +128,7 @@ static struct data_file *data_open_file(struct parser *p, bool reading,
                  arena_printf(p->arena, "#fopen %s \"FILE\" %s", (*name)->text,
                               reading ? "read" : "write"),
                  "'%s' is not an open file", (*name)->text);
+        data_skip(p);
         return NULL;
     }
     if (reading == (value->file->list != NULL))

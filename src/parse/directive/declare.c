@@ -24,12 +24,17 @@ static bool declare_deprecation(struct parser *p, struct declaration *head)
     return parse_string(p, &head->deprecated);
 }
 
-/* A name that begins with a digit: `1st`. Returns false. */
+/* A name that begins with a digit: `1st`; several names in brackets. Returns
+ * false, as what is reported is not more than one thing. */
 static bool declare_begins_wrong(struct parser *p)
 {
     size_t left;
     struct span span = p->token_span;
     const struct token *next = stream_raw(p, &left);
+    if (p->token.kind == TOKEN_LPAREN || p->token.kind == TOKEN_LBRACE)
+        return error_at(p, span, NULL,
+                        "a declaration of several names at once needs POV-Ray "
+                        "3.8, and glim reads 3.7; each has one of its own");
     if (p->token.kind != TOKEN_NUMBER || left == 0 ||
         next->kind != TOKEN_WORD || next->offset != span.offset + span.length)
         return false;
@@ -221,6 +226,8 @@ static const char *declare_counted(struct parser *p, const struct word *name)
                             p->token_span.source->text + p->token_span.offset);
     if (kind == TOKEN_COLON)
         return "=";
+    if (kind == TOKEN_SEMICOLON)
+        return "= 0";
     if (kind == TOKEN_LPAREN)
         return "= function(x) { ... }";
     if (kind != TOKEN_PLUS && kind != TOKEN_MINUS && kind != TOKEN_STAR &&
@@ -234,9 +241,14 @@ static const char *declare_counted(struct parser *p, const struct word *name)
 
 static bool declare_equal(struct parser *p, const struct word *name)
 {
-    return stream_peek_infix(p)->kind == TOKEN_EQUAL
-               ? expect(p, TOKEN_EQUAL, span_none())
-               : error_expected_hint(p, "'='", declare_counted(p, name));
+    if (stream_peek_infix(p)->kind != TOKEN_EQUAL)
+        return error_expected_hint(p, "'='", declare_counted(p, name));
+    struct span span = stream_span(p);
+    stream_next(p);
+    if (stream_peek(p)->kind != TOKEN_EQUAL)
+        return true;
+    return error_at(p, span_join(span, p->token_span), "=",
+                    "a value is given with one '='");
 }
 
 static bool declare_head(struct parser *p, struct declaration *head)
@@ -297,10 +309,12 @@ static bool declare_read(struct parser *p, bool local)
     if (ok)
         return declare_semicolon(p, &value);
     const struct token *token = stream_peek_infix(p);
-    if (token->kind == TOKEN_LBRACKET || token->kind == TOKEN_LBRACE)
-        skip_brackets(p);
-    else if (token->kind == TOKEN_WORD && token->word->keyword == KEYWORD_IF)
+    if (token->kind == TOKEN_WORD && token->word->keyword == KEYWORD_IF)
         declare_skip(p);
+    for (enum token_kind kind = token->kind;
+         kind == TOKEN_LBRACKET || kind == TOKEN_LBRACE;
+         kind = stream_peek_infix(p)->kind)
+        skip_brackets(p);
     if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
         stream_next(p); /* it belongs to what was wrong */
     return false;

@@ -30,13 +30,23 @@ static bool statistics_run(struct parser *p, struct span at)
     return debug_run_as(p, at);
 }
 
+/* The length of the text without the ends of lines at its end, which scenes put
+ * there for POV-Ray. */
+static int message_length(const char *text)
+{
+    size_t length = strlen(text);
+    while (length > 0 && strchr("\r\n", text[length - 1]))
+        length--;
+    return (int)length;
+}
+
 /* warning_directive = "#warning" string . */
 static bool warning_run(struct parser *p, struct span at)
 {
     const char *text;
     if (!directive_string(p, &text))
         return false;
-    warning_at(p, at, NULL, "%s", text);
+    warning_at(p, at, NULL, "%.*s", message_length(text), text);
     return true;
 }
 
@@ -45,7 +55,8 @@ static bool error_run(struct parser *p, struct span at)
 {
     const char *text;
     if (directive_string(p, &text))
-        error_at(p, at, NULL, "stopped by '#error': %s", text);
+        error_at(p, at, NULL, "stopped by '#error': %.*s", message_length(text),
+                 text);
     stream_abort(p);
     return false;
 }

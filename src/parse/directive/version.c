@@ -15,7 +15,9 @@ static bool version_run(struct parser *p, struct span at)
         stream_next(p);
     double version;
     bool ok = parse_float(p, &version);
-    if (ok && stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
+    if (!ok && stream_peek_infix(p)->kind == TOKEN_STRING)
+        stream_next(p);
+    if (stream_peek_infix(p)->kind == TOKEN_SEMICOLON)
         stream_next(p);
     stream_directive_end(p, outer);
     if (!ok)
