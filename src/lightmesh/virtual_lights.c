@@ -126,6 +126,14 @@ static void samples_look(struct samples *samples, struct ray ray, double side,
     }
 }
 
+/* Rows and columns are shifted against each other: many edges of light are
+ * along them. */
+static double row_shift(unsigned row)
+{
+    double turns = (row + 0.5) * 0.61803398874989485;
+    return turns - floor(turns);
+}
+
 /* Those in one cell, by rays from its front. */
 static void samples_cell(struct samples *samples,
                          const struct virtual_cell *cell, size_t first)
@@ -134,14 +142,14 @@ static void samples_cell(struct samples *samples,
     vec3 normal = side_normal(cell->facing), across = side_across(cell->facing),
          down = side_down(cell->facing);
     vec3 front = vec3_along(cell->middle, normal, side / 2);
-    front = vec3_along(front, across, (step - side) / 2);
-    front = vec3_along(front, down, (step - side) / 2);
+    front = vec3_along(vec3_along(front, across, -side / 2), down, -side / 2);
     for (unsigned j = 0; j < samples->edge; j++)
         for (unsigned i = 0; i < samples->edge; i++) {
             size_t at = first + morton_place(i, j);
             struct draws draws = { samples->gather.lamps->seed, (uint32_t)at };
-            struct ray ray = { vec3_along(vec3_along(front, across, i * step),
-                                          down, j * step),
+            vec3 from = vec3_along(front, across, (i + row_shift(j)) * step);
+            struct ray ray = { vec3_along(from, down,
+                                          (j + row_shift(i)) * step),
                                vec3_negate(normal) };
             samples_look(samples, ray, side, at * LAYERS, &draws);
             arena_reset(samples->worker->scratch);

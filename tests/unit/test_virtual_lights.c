@@ -1,0 +1,136 @@
+/* A lit patch as virtual lights: all of its light, once. */
+#include "harness.h"
+
+#include "base/warp.h"
+#include "lightmesh/gather_virtual.h"
+#include "lightmesh/gather_ways.h"
+#include "lightmesh/virtual_lights.h"
+#include "scene_world.h"
+
+/* A lamp of parallel rays lights a disc of radius .8 on a floor. */
+#define LIT                                                                    \
+    "camera { location <0, 2, 0> look_at 0 } "                                 \
+    "light_source { <0, 1, 0>, rgb 5 cylinder radius .8 falloff .8001 "        \
+    "tightness 0 point_at 0 parallel } "                                       \
+    "plane { y, 0 pigment { rgb <.8, .4, .2> } finish { ambient 0 diffuse 1 }" \
+    " } "
+
+static const double radius = 0.8;
+
+struct patch {
+    struct scene_world *all;
+    struct lamps lamps;
+    struct worker worker;
+    struct virtual_lights *lights;
+};
+
+/* Cells of side 1: the patch is found in the one around its middle alone. */
+static struct patch patch_new(const char *text, double worth)
+{
+    struct bright lit = { .count = 1, .radius = 0.7 };
+    struct patch patch = { .all = scene_world_new(text) };
+    lit.at[0] = (struct bright_disc){ { 0.5, 0, 0.5 }, { 0, 1, 0 }, worth };
+    patch.lamps = lamps_new(patch.all->world, patch.all->scene, 9, 0);
+    patch.worker = (struct worker){ .scratch = arena_new(0) };
+    patch.lights = virtual_lights_new(&lit, &patch.lamps, &patch.worker);
+    return patch;
+}
+
+static void patch_free(struct patch *patch)
+{
+    virtual_lights_free(patch->lights);
+    arena_free(patch->worker.scratch);
+    lamps_free(&patch->lamps);
+    scene_world_free(patch->all);
+}
+
+/* Irradiance of a place that looks down, by all parts together. */
+static rgb patch_gives(struct patch *patch, vec3 place)
+{
+    const struct gather gather = { .lamps = &patch->lamps,
+                                   .virtual_lights = patch->lights };
+    struct gathered_glow found[RAY_LANES];
+    rgb sum = rgb_grey(0);
+    for (unsigned part = 0; part < GATHER_PARTS; part++)
+        for (int next = 0; next < patch->lights->count;) {
+            unsigned count = gather_virtual(&gather, &patch->worker, place,
+                                            part, &next, found);
+            for (unsigned i = 0; i < count; i++)
+                sum = rgb_add_scaled(
+                    sum, found[i].light,
+                    -found[i].direction.y /
+                        (WARP_PI * found[i].density * GATHER_PARTS));
+        }
+    return sum;
+}
+
+/* What a place so high, and so far beside the axis, sees of the disc. */
+static double seen_share(double height, double beside)
+{
+    double h = height * height, a = beside * beside, r = radius * radius;
+    double root = sqrt((h + a + r) * (h + a + r) - 4 * a * r);
+    return (1 - (h + a - r) / root) / 2;
+}
+
+static void assert_about(double value, double wanted)
+{
+    if (!(fabs(value - wanted) <= 0.01 * fabs(wanted)))
+        fail_msg("%g, not %g", value, wanted);
+}
+
+static void test_all_light(void **state)
+{
+    struct patch patch = patch_new(LIT, 1);
+    (void)state;
+    assert_true(patch.lights->count > 0 && patch.lights->far < 2);
+    for (double height = 2; height <= 4; height++)
+        for (double beside = 0; beside <= 3; beside++) {
+            vec3 place = { beside * 0.6, height, -beside * 0.8 };
+            double wanted = 4 * seen_share(height, beside);
+            rgb light = patch_gives(&patch, place);
+            assert_about(light.r, wanted);
+            assert_about(light.g, wanted / 2);
+            assert_about(light.b, wanted / 4);
+        }
+    patch_free(&patch);
+}
+
+/* What they bring and what gather rays are left with is all. */
+static void test_shares(void **state)
+{
+    const vec3 up = { 0, 1, 0 }, down = { 0, -1, 0 }, middle = { 0, 0, 0 };
+    struct patch patch = patch_new(LIT, 0.5);
+    const struct virtual_lights *lights = patch.lights;
+    (void)state;
+    assert_true(virtual_lights_share(lights, middle, up, lights->near) == 0);
+    assert_true(virtual_lights_share(lights, middle, up, lights->far) == 0.5);
+    assert_true(virtual_lights_share(lights, middle, down, 9) == 0);
+    assert_true(virtual_lights_share(lights, vec3_make(9, 0, 9), up, 9) == 0);
+    assert_about(patch_gives(&patch, vec3_make(0, 3, 0)).r,
+                 0.5 * 4 * seen_share(3, 0));
+    patch_free(&patch);
+}
+
+static void test_hidden(void **state)
+{
+    struct patch patch = patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1);
+    struct patch dark = patch_new("camera { location <0, 2, 0> look_at 0 } "
+                                  "plane { y, 0 pigment { rgb 1 } }",
+                                  1);
+    (void)state;
+    assert_true(patch_gives(&patch, vec3_make(0, 3, 0)).r == 0);
+    assert_true(patch_gives(&patch, vec3_make(0, 1.4, 0)).r > 0);
+    assert_int_equal(dark.lights->count, 0);
+    patch_free(&patch);
+    patch_free(&dark);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_light),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_hidden),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
