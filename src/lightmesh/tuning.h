@@ -301,28 +301,28 @@ static const double bright_least =
 static const double bright_fade = 2;   /* what has so much more is worth most */
 static const double bright_gain = 0.8; /* of the variance there is without is
                                         * worth aiming at them */
-/* Virtual lights [room]. */
-enum {
-    VIRTUAL_LEAST = 12,
-    VIRTUAL_MOST = 32, /* for a mesh point */
-    VIRTUAL_EDGE = 16,
-    VIRTUAL_EDGE_LEAST = 4, /* rays along a cell's edge that
-                             * look at it, */
-    VIRTUAL_RAYS = 8192,    /* and in all */
-};
-static const double virtual_worth = 0.05; /* of all light, to be worth any */
-static const double virtual_cell = 3;     /* along a cell that is all lit */
-static const double virtual_near = 0.75,
-                    virtual_far = 1.5; /* distances between them
-                                        * at which they serve */
-
-static const double bright_known = 2;   /* of the variance there is with those
-                                         * that are found: by those of another
-                                         * picture of an animation there may
-                                         * be so much [flicker] */
-static const double bright_cells = 10;  /* along the chamber, at least */
+static const double bright_known = 2;  /* of the variance there is with those
+                                        * that are found: by those of another
+                                        * picture of an animation there may
+                                        * be so much [flicker] */
+static const double bright_cells = 10; /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
+
+/* Virtual lights [room, thinwall]. */
+enum {
+    VIRTUAL_LEAST = 12,     /* for a mesh point, at least, */
+    VIRTUAL_MOST = 32,      /* and at most: more gain nothing */
+    VIRTUAL_EDGE = 16,      /* rays along the edge of a cell that look at it, */
+    VIRTUAL_EDGE_LEAST = 4, /* or so few, */
+    VIRTUAL_RAYS = 8192,    /* so that there are no more in all */
+};
+static const double virtual_worth = 0.05; /* share of all light, to be worth any
+                                           */
+static const double virtual_cell = 3; /* so many along a cell that is all lit */
+static const double virtual_near = 0.75, /* of their distance from each other:
+                                          * what is nearer gather rays bring, */
+    virtual_far = 1.5;                   /* and what is farther these */
 
 static const double gather_noise = 0.009;  /* of the picture, */
 static const double chamber_noise = 0.012; /* and in chambers, where neighbours
