@@ -34,8 +34,8 @@ struct bright_hit {
     vec3 origin, direction; /* of the ray; unit */
     vec3 normal;            /* of what it met, against the ray; unit */
     double distance;        /* HUGE_VAL: it left the scene */
-    double light;
-    double lamps; /* what of it lamps give the surface */
+    double light;           /* of the picture, as are */
+    double lamps;           /* what of it lamps give the surface that was met */
 };
 
 /* Of so many hits, which come in any order. */

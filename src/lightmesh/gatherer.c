@@ -6,8 +6,8 @@
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/gather_virtual.h"
-#include "lightmesh/virtual_lights.h"
 #include "lightmesh/tuning.h"
+#include "lightmesh/virtual_lights.h"
 
 /* A mesh point that gathers. */
 struct gatherer {

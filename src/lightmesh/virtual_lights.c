@@ -96,12 +96,13 @@ static rgb sample_light(const struct samples *samples,
     return rgb_mul(gather_albedo(surface, surface_sky(surface)), light);
 }
 
-/* The surfaces that a ray meets on its way through its cell. */
-static void samples_look(struct samples *samples, struct ray ray, double side,
+/* The cell's surfaces that a ray meets on its way through it. */
+static void samples_look(struct samples *samples,
+                         const struct virtual_cell *cell, struct ray ray,
                          size_t first, const struct draws *draws)
 {
-    const struct virtual_lights *lights = samples->lights;
-    double end = side, area = side * side / (samples->edge * samples->edge);
+    double side = samples->lights->side, end = side;
+    double area = side * side / (samples->edge * samples->edge);
     for (unsigned i = 0; i < LAYERS; i++) {
         struct intersection at;
         struct surface surface;
@@ -113,12 +114,11 @@ static void samples_look(struct samples *samples, struct ray ray, double side,
             return;
         gather_surface(&samples->gather, &ray, &at, &surface);
         vec3 normal = vec3_against(at.face, ray.direction);
-        double worth = cell_worth(lights, at.point, normal);
-        if (worth > 0)
+        if (cell_key(at.point, side_of(normal), side) == cell->key)
             samples->at[first + i] = (struct virtual_light){
                 at.point, normal,
                 rgb_scale(sample_light(samples, &surface, draws, ray.origin),
-                          worth),
+                          cell->worth),
                 area / -vec3_dot(normal, ray.direction)
             };
         end -= at.t;
@@ -151,14 +151,20 @@ static void samples_cell(struct samples *samples,
             struct ray ray = { vec3_along(from, down,
                                           (j + row_shift(i)) * step),
                                vec3_negate(normal) };
-            samples_look(samples, ray, side, at * LAYERS, &draws);
+            samples_look(samples, cell, ray, at * LAYERS, &draws);
             arena_reset(samples->worker->scratch);
         }
 }
 
+/* Lamps may be negative, in one colour or all. */
+static double light_amount(rgb light)
+{
+    return fmax(fabs(light.r), fmax(fabs(light.g), fabs(light.b)));
+}
+
 static double light_power(const struct virtual_light *light)
 {
-    return fmax(rgb_brightness(light->light), 0) * light->area;
+    return light_amount(light->light) * light->area;
 }
 
 /* So many of them that have the same power each, evenly along the curve. */
@@ -174,7 +180,7 @@ static void lights_take(struct virtual_lights *lights,
         while (next < count && sum > ((double)next + 0.5) * each) {
             lights->at[next] = *sample;
             lights->at[next++].area =
-                each * GATHER_PARTS / rgb_brightness(sample->light);
+                each * GATHER_PARTS / light_amount(sample->light);
         }
     }
     lights->count = (int)(next / GATHER_PARTS);

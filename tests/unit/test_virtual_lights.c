@@ -111,6 +111,22 @@ static void test_shares(void **state)
     patch_free(&patch);
 }
 
+/* A lamp may take light away, and one colour alone. */
+static void test_negative(void **state)
+{
+    struct patch patch = patch_new(
+        LIT "light_source { <0, 1, 0>, rgb <-6, 0, 2> cylinder radius .8 "
+            "falloff .8001 tightness 0 point_at 0 parallel } ",
+        1);
+    double share = seen_share(3, 0);
+    rgb light = patch_gives(&patch, vec3_make(0, 3, 0));
+    (void)state;
+    assert_about(light.r, -0.8 * share);
+    assert_about(light.g, 2 * share);
+    assert_about(light.b, 1.4 * share);
+    patch_free(&patch);
+}
+
 static void test_hidden(void **state)
 {
     struct patch patch = patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1);
@@ -130,6 +146,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_light),
         cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_negative),
         cmocka_unit_test(test_hidden),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
