@@ -72,7 +72,8 @@ mesh_virtual_lights(const struct mesh_lighting *mesh,
 {
     struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
     struct virtual_lights *lights =
-        virtual_lights_new(&mesh->stamp.frame.lit, &mesh->lamps, &worker);
+        virtual_lights_new(&mesh->stamp.frame.lit, &mesh->lamps,
+                           options->root ? CHAMBER_ANIMATED : 1, &worker);
     arena_free(worker.scratch);
     if (lights->count > 0)
         return lights;

@@ -47,10 +47,10 @@ struct bright sums_lit(struct sums *sums, const struct bright *known,
         return lit;
     for (size_t i = 0; i < (size_t)sums->sights * (size_t)sums->each; i++)
         all += sums->hits[i].light;
-    lights = virtual_lights_new(&found, lamps, worker);
+    lights = virtual_lights_new(&found, lamps, 1, worker);
     sent = sums_sent(sums, lights);
     if (known) {
-        older = virtual_lights_new(known, lamps, worker);
+        older = virtual_lights_new(known, lamps, 1, worker);
         before = sums_sent(sums, older);
     }
     bool keep = before * bright_known > sent;

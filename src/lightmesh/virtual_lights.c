@@ -187,7 +187,7 @@ static void lights_take(struct virtual_lights *lights,
 }
 
 static void lights_choose(struct virtual_lights *lights,
-                          const struct samples *samples)
+                          const struct samples *samples, int times)
 {
     double power = 0, area = 0, side = lights->side;
     for (size_t i = 0; i < samples->count; i++) {
@@ -198,7 +198,7 @@ static void lights_choose(struct virtual_lights *lights,
     if (!(power > 0) || !isfinite(power))
         return;
     double wanted = area * virtual_cell * virtual_cell / (side * side);
-    wanted = fmin(fmax(ceil(wanted), VIRTUAL_LEAST), VIRTUAL_MOST);
+    wanted = times * fmin(fmax(ceil(wanted), VIRTUAL_LEAST), VIRTUAL_MOST);
     lights->count = (int)wanted;
     lights->near = virtual_near * sqrt(area / wanted);
     lights->far = virtual_far * sqrt(area / wanted);
@@ -206,7 +206,7 @@ static void lights_choose(struct virtual_lights *lights,
 }
 
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
-                                          const struct lamps *lamps,
+                                          const struct lamps *lamps, int times,
                                           struct worker *worker)
 {
     struct virtual_lights *lights = memory_new(sizeof *lights);
@@ -230,7 +230,7 @@ struct virtual_lights *virtual_lights_new(const struct bright *lit,
     for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++)
         if (lights->cell[i].key)
             samples_cell(&samples, &lights->cell[i], cells++ * rays);
-    lights_choose(lights, &samples);
+    lights_choose(lights, &samples, times);
     memory_free(samples.at);
     return lights;
 }

@@ -34,10 +34,10 @@ struct virtual_lights {
     } cell[VIRTUAL_SLOTS]; /* a hash table */
 };
 
-/* Of the surfaces in these places and in the cells beside them. Frees with
- * virtual_lights_free. */
+/* Of the surfaces in these places and in the cells beside them; `times` as many
+ * as a picture needs. Frees with virtual_lights_free. */
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
-                                          const struct lamps *lamps,
+                                          const struct lamps *lamps, int times,
                                           struct worker *worker);
 void virtual_lights_free(struct virtual_lights *lights);
 

@@ -32,7 +32,7 @@ static struct patch patch_new(const char *text, double worth)
     lit.at[0] = (struct bright_disc){ { 0.5, 0, 0.5 }, { 0, 1, 0 }, worth };
     patch.lamps = lamps_new(patch.all->world, patch.all->scene, 9, 0);
     patch.worker = (struct worker){ .scratch = arena_new(0) };
-    patch.lights = virtual_lights_new(&lit, &patch.lamps, &patch.worker);
+    patch.lights = virtual_lights_new(&lit, &patch.lamps, 1, &patch.worker);
     return patch;
 }
 
