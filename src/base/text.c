@@ -127,3 +127,9 @@ unsigned long long text_hash(const char *text, size_t length)
         hash = (hash ^ (unsigned char)text[i]) * 1099511628211ull;
     return hash;
 }
+
+const char *text_last_part(const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    return slash ? slash + 1 : name;
+}

@@ -22,6 +22,9 @@ void text_nearest_try(struct text_nearest *nearest, const char *candidate);
 /* Case-insensitive equality of ASCII. */
 bool text_equal_nocase(const char *a, const char *b);
 
+/* What comes after the last '/' of a file's name. */
+const char *text_last_part(const char *name);
+
 /* Whether it is one of the words, which have a blank between them; case of
  * ASCII ignored. */
 bool text_among(const char *word, const char *words);

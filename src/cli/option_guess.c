@@ -132,7 +132,7 @@ static const char *guess_key(const char *name)
 
 const char *option_scene_near(struct arena *arena, const char *name)
 {
-    const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+    const char *last = text_last_part(name);
     int folder = (int)(last - name);
     struct text_nearest nearest = text_nearest_start(last);
     DIR *directory =

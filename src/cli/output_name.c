@@ -55,15 +55,9 @@ const char *output_type_lacking(const char *name)
     return NULL;
 }
 
-static const char *output_last_part(const char *name)
-{
-    const char *slash = strrchr(name, '/');
-    return slash ? slash + 1 : name;
-}
-
 size_t output_stem(const char *name)
 {
-    const char *part = output_last_part(name);
+    const char *part = text_last_part(name);
     const char *dot = strrchr(part, '.');
     if (!dot || dot == part)
         return strlen(name);
@@ -77,7 +71,7 @@ const char *output_name(const char *output, const char *input,
         return output;
     size_t length = output ? strlen(output) : 0;
     if (!output || (length && output[length - 1] == '/')) {
-        const char *scene = output ? output_last_part(input) : input;
+        const char *scene = output ? text_last_part(input) : input;
         return arena_printf(arena, "%s%.*s%s", output ? output : "",
                             (int)output_stem(scene), scene, type->extension);
     }

@@ -31,10 +31,10 @@ bool mesh_close_knows(const struct void_skeleton *close,
     int known = 0;
     for (int i = 0; close->skeleton && i < survey->hits; i++) {
         const struct bright_hit *hit = &survey->hit[i];
-        vec3 place = vec3_along(hit->origin, hit->direction, hit->distance);
         rgb light;
-        known += mesh_close_light(close->skeleton, worker, place, hit->normal,
-                                  hit->origin, &light);
+        known +=
+            mesh_close_light(close->skeleton, worker, bright_hit_place(hit),
+                             hit->normal, hit->origin, &light);
     }
     return CHAMBER_KNOWN * (survey->hits - known) <= survey->hits;
 }

@@ -53,7 +53,7 @@ static int cell_brighter(const void *a, const void *b)
                : cell_order(a, b);
 }
 
-static vec3 hit_place(const struct bright_hit *hit)
+vec3 bright_hit_place(const struct bright_hit *hit)
 {
     return vec3_along(hit->origin, hit->direction, hit->distance);
 }
@@ -71,7 +71,7 @@ static double room_end(const struct bright_hit *hits, size_t count, int side,
     for (size_t i = 0; i < count; i++)
         if (hits[i].distance < HUGE_VAL &&
             (facing == 0 || side_of(hits[i].normal) == side))
-            room[n++] = vec3_component(hit_place(&hits[i]), side / 2);
+            room[n++] = vec3_component(bright_hit_place(&hits[i]), side / 2);
     qsort(room, n, sizeof *room, order_double);
     return n == 0 ? 0 : side % 2 ? room[n - 1 - n / 10] : room[n / 10];
 }

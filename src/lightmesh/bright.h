@@ -38,6 +38,9 @@ struct bright_hit {
     double lamps;           /* what of it lamps give the surface that was met */
 };
 
+/* Where it met something. */
+vec3 bright_hit_place(const struct bright_hit *hit);
+
 /* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
 

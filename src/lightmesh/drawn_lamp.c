@@ -90,13 +90,8 @@ rgb drawn_lamp_light(const struct lamps *lamps, struct worker *worker,
     if (!(sum > 0))
         return rgb_grey(0);
     /* Where some take light away one would stand for more than there is. */
-    if (dark > 0 && count == lamps->count) {
-        rgb all = rgb_grey(0);
-        for (size_t i = 0; i < lit; i++)
-            all = rgb_add(all, candidate_light(&at[i], lamps, worker, draws,
-                                               slot + 1, place->point));
-        return all;
-    }
+    if (dark > 0 && count == lamps->count)
+        return each_lamp_light(lamps, worker, draws, slot, place);
     if (lit > 1 && count == lamps->count)
         draw_pair(draws, slot, which);
     const struct candidate *drawn =

@@ -90,7 +90,8 @@ void gather_radiance(const struct gather *gather, struct worker *worker,
 
 /* The same of a ray of which is known where it ends, in gathered->at, whose
  * leaf is NULL where that is nowhere; and what lamps give the side of that
- * surface that it comes to, unless `lamplight` is NULL. */
+ * surface that it comes to, without what virtual lights bring, unless
+ * `lamplight` is NULL. */
 void gather_met(const struct gather *gather, struct worker *worker,
                 const struct ray *ray, const struct draws *draws,
                 const rgb *lamplight, struct gathered_ray *gathered);

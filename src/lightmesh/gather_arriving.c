@@ -4,11 +4,11 @@
 #include "base/warp.h"
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_lamps.h"
+#include "lightmesh/gather_virtual.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/near_field.h"
 #include "lightmesh/onward.h"
 #include "lightmesh/tuning.h"
-#include "lightmesh/virtual_lights.h"
 #include "shade/shadow.h"
 
 /* A ray that goes on from there, as sample *draws; what it brings will be in
@@ -129,17 +129,16 @@ static bool gathering_known(const struct gathering *gathering,
            gather_closes(gather, gathering->worker, receiver, share);
 }
 
-/* How much of lamps' light on the surface virtual lights bring. */
+/* How much of lamps' light on the surface virtual lights bring: none of what is
+ * on its far side. */
 static double gathering_virtual(const struct gathering *gathering,
                                 const struct surface *surface)
 {
-    const struct virtual_lights *lights = gathering->gather->virtual_lights;
-    if (!lights || gathering->met > 0 || gathering->before > 0)
+    const vec3 way = gathering->ray.direction;
+    if (gathering->met > 0 || gathering->before > 0 ||
+        vec3_dot(surface->side, vec3_against(surface->at->face, way)) < 0)
         return 0;
-    vec3 face = vec3_against(surface->at->face, gathering->ray.direction);
-    if (vec3_dot(face, surface->side) < 0)
-        return 0;
-    return virtual_lights_share(lights, surface->point, face, surface->at->t);
+    return gather_virtual_share(gathering->gather, surface->at, way);
 }
 
 /* What is left of it. */
@@ -148,14 +147,14 @@ static rgb gathering_lamps(const struct gathering *gathering,
                            const struct receiver *receiver)
 {
     const struct gather *gather = gathering->gather;
-    double left = 1 - gathering_virtual(gathering, surface);
-    rgb light = rgb_grey(0);
     if (gathering->lamplight && gathering->met == 0)
-        light = *gathering->lamplight;
-    else if (left > 0)
-        light = gather_lamps(gather, gathering->worker, gathering->draws,
-                             gathering->before > 0, surface, receiver);
-    return rgb_scale(light, left);
+        return *gathering->lamplight;
+    double left = 1 - gathering_virtual(gathering, surface);
+    if (!(left > 0))
+        return rgb_grey(0);
+    return rgb_scale(gather_lamps(gather, gathering->worker, gathering->draws,
+                                  gathering->before > 0, surface, receiver),
+                     left);
 }
 
 /* All light on the surface, of which the share `matters` is seen. Where the

@@ -2,7 +2,7 @@
 #include "lightmesh/gather_rays.h"
 
 #include "lightmesh/gather_lamps.h"
-#include "lightmesh/virtual_lights.h"
+#include "lightmesh/gather_virtual.h"
 #include "scene/material.h"
 #include "shade/shadow.h"
 
@@ -13,30 +13,41 @@ void gather_rays_add(struct gather_rays *sent, const struct draws *draws,
     sent->draws[sent->count++] = *draws;
 }
 
-/* What lamps give them, if it is more than one that they light. */
+/* What lamps give them, if it is more than one that they light, but for what
+ * virtual lights bring. */
 static void gather_rays_light(const struct gather *gather,
                               struct worker *worker, struct gather_rays *sent)
 {
     struct lit_places *lit = &sent->lit;
+    double left[RAY_LANES];
+    unsigned brought = 0;
     for (unsigned i = 0; i < sent->count; i++) {
         const struct intersection *at = &sent->found[i].at;
         if (!at->leaf || !texture_takes_light(at->texture))
             continue;
         vec3 way = rays_direction(&sent->rays, (int)i);
-        if (gather->virtual_lights &&
-            virtual_lights_share(gather->virtual_lights, at->point,
-                                 vec3_against(at->face, way), at->t) >= 1)
+        left[i] = 1 - gather_virtual_share(gather, at, way);
+        if (!(left[i] > 0)) {
+            lit->light[i] = rgb_grey(0);
+            brought |= 1u << i;
             continue;
+        }
         lit->at[i] =
             (struct lit_place){ at->point, vec3_against(at->normal, way),
                                 at->leaf };
         lit->draws[i] = sent->draws[i];
         lit->lanes |= 1u << i;
     }
-    if (lit->lanes & (lit->lanes - 1))
+    if (lit->lanes & (lit->lanes - 1)) {
         gather_lamps_many(gather, worker, lit);
-    else
+        for (unsigned each = lit->lanes; each; each &= each - 1) {
+            unsigned i = (unsigned)__builtin_ctz(each);
+            lit->light[i] = rgb_scale(lit->light[i], left[i]);
+        }
+    } else {
         lit->lanes = 0;
+    }
+    lit->lanes |= brought;
 }
 
 void gather_rays_meet(const struct gather *gather, struct worker *worker,

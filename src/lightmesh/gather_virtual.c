@@ -54,3 +54,12 @@ unsigned gather_virtual(const struct gather *gather, struct worker *worker,
             found[met++] = seen[i];
     return met;
 }
+
+double gather_virtual_share(const struct gather *gather,
+                            const struct intersection *at, vec3 way)
+{
+    const struct virtual_lights *lights = gather->virtual_lights;
+    return lights ? virtual_lights_share(lights, at->point,
+                                         vec3_against(at->face, way), at->t)
+                  : 0;
+}

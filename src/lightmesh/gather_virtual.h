@@ -11,4 +11,9 @@ unsigned gather_virtual(const struct gather *gather, struct worker *worker,
                         vec3 place, unsigned part, int *next,
                         struct gathered_glow *found);
 
+/* How much of lamps' light they bring of what a gather ray, whose unit
+ * direction that is, met first: 0 to 1. */
+double gather_virtual_share(const struct gather *gather,
+                            const struct intersection *at, vec3 way);
+
 #endif

@@ -122,6 +122,16 @@ static void sight_add_behind(const struct sight *sight, const struct sums *sums,
     found->glow = rgb_add_scaled(found->glow, more.glow, behind);
 }
 
+/* What the picture shows of it. */
+static double sight_brought(const struct sight *sight,
+                            const struct gather *gather,
+                            const struct gathered_ray *found)
+{
+    rgb rest = gathered_rest(gather, found);
+    return rgb_brightness(rgb_mul(sight->albedo, rest)) +
+           rgb_brightness(sight->ambient) * found->open;
+}
+
 static void sight_gather(const struct sight *sight, struct worker *worker,
                          struct draws draws, struct sums *sums)
 {
@@ -140,17 +150,12 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
         *hit = gathered_hit(&ray, &found);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
-        hit->light = rgb_brightness(rgb_mul(
-                         sight->albedo, gathered_rest(sums->gather, &found))) +
-                     ambient * found.open;
-        hit->light = fmax(hit->light, 0);
+        hit->light = fmax(sight_brought(sight, sums->gather, &found), 0);
         sight_add_behind(sight, sums, worker, ray, &draws, &found);
-        rgb rest = gathered_rest(sums->gather, &found);
-        double whole =
-            rgb_brightness(rgb_mul(sight->albedo, rest)) + ambient * found.open;
+        double whole = sight_brought(sight, sums->gather, &found);
         sums->brought[first + (size_t)i] = (struct brought){
             whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI,
-            rgb_brightness(rgb_mul(sight->albedo, found.lamps))
+            hit->lamps
         };
         brought += whole;
         changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) +

@@ -8,10 +8,9 @@
 static double hit_sent(const struct bright_hit *hit,
                        const struct virtual_lights *lights)
 {
-    vec3 place = vec3_along(hit->origin, hit->direction, hit->distance);
-    return hit->lamps > 0
-               ? virtual_lights_share(lights, place, hit->normal, hit->distance)
-               : 0;
+    return hit->lamps > 0 ? virtual_lights_share(lights, bright_hit_place(hit),
+                                                 hit->normal, hit->distance)
+                          : 0;
 }
 
 static double sums_sent(const struct sums *sums,

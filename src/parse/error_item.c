@@ -204,6 +204,12 @@ static const char *error_bare_object(struct parser *p, const struct word *word)
                : NULL;
 }
 
+void error_try_fields(struct text_nearest *nearest, const struct field *fields)
+{
+    for (; fields && fields->name; fields++)
+        text_nearest_try(nearest, fields->name);
+}
+
 /* What the word was meant to be. */
 static const char *error_meant(struct parser *p, const struct word *word,
                                const char *block, const struct field *fields)
@@ -223,8 +229,7 @@ static const char *error_meant(struct parser *p, const struct word *word,
     if (known)
         return known;
     struct text_nearest nearest = text_nearest_start(word->text);
-    for (const struct field *f = fields; f && f->name; f++)
-        text_nearest_try(&nearest, f->name);
+    error_try_fields(&nearest, fields);
     if (symbol && !word->reserved)
         text_nearest_try(&nearest, symbol);
     if (!word->reserved)

@@ -2,6 +2,7 @@
 #ifndef PARSE_ERROR_PARTS_H
 #define PARSE_ERROR_PARTS_H
 
+#include "base/text.h"
 #include "parse/parser.h"
 
 /* Longer words are not told of. */
@@ -17,6 +18,9 @@ bool error_follows(struct parser *p);
 
 /* The text of the next token as written, cut to a readable length. */
 const char *error_found(struct parser *p);
+
+/* Tries the names of fields; NULL: there are none. */
+void error_try_fields(struct text_nearest *nearest, const struct field *fields);
 
 /* What the next token names, "a texture"; NULL: nothing. */
 const char *error_kind(struct parser *p);

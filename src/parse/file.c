@@ -219,7 +219,7 @@ const char *file_hint(struct parser *p, const char *name)
     if (better)
         return better;
     const struct parse_options *options = p->options;
-    const char *slash = strrchr(name, '/'), *last = slash ? slash + 1 : name;
+    const char *last = text_last_part(name);
     const char *folder =
         arena_printf(p->arena, "%.*s", (int)(last - name), name);
     struct file_nearest nearest = file_nearest_start(p, last);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/text.h"
 #include "parse/rules.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
@@ -24,11 +25,10 @@ static void parse_predeclare(struct parser *p, const char *name, double number)
 /* The name of the scene's file, without where that is. */
 static void parse_predeclare_file(struct parser *p, const struct source *main)
 {
-    const char *slash = strrchr(main->name, '/');
     parse_predeclare_value(
         p, "input_file_name",
         (struct value){ .kind = VALUE_STRING,
-                        .text = slash ? slash + 1 : main->name });
+                        .text = text_last_part(main->name) });
 }
 
 /* What POV-Ray declares too before the first line: the scene may declare it

@@ -1,7 +1,7 @@
 /* Small helps for reading the inside of blocks. */
 #include "parse/rules.h"
 
-#include "base/text.h"
+#include "parse/error_parts.h"
 #include "parse/symbol.h"
 
 bool at_word(struct parser *p, const char *word)
@@ -76,8 +76,7 @@ static const char *near_field(struct parser *p, const struct word *word,
     struct text_nearest nearest = text_nearest_start(word->text);
     if (symbol_nearest(p, word->text) || standard_include(p, word->text))
         return NULL;
-    for (; fields && fields->name; fields++)
-        text_nearest_try(&nearest, fields->name);
+    error_try_fields(&nearest, fields);
     return nearest.best;
 }
 
