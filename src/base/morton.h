@@ -21,4 +21,25 @@ static inline uint32_t morton_place(uint32_t x, uint32_t y)
     return morton_apart(x) | morton_apart(y) << 1;
 }
 
+/* Every second of the bits, together. */
+static inline uint32_t morton_together(uint32_t bits)
+{
+    bits &= 0x55555555;
+    bits = (bits | bits >> 1) & 0x33333333;
+    bits = (bits | bits >> 2) & 0x0f0f0f0f;
+    bits = (bits | bits >> 4) & 0x00ff00ff;
+    return (bits | bits >> 8) & 0xffff;
+}
+
+/* Back again. */
+static inline uint32_t morton_x(uint32_t place)
+{
+    return morton_together(place);
+}
+
+static inline uint32_t morton_y(uint32_t place)
+{
+    return morton_together(place >> 1);
+}
+
 #endif

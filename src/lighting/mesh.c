@@ -9,7 +9,7 @@
 #include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_lamps.h"
-#include "lighting/mesh_state.h"
+#include "lighting/mesh_survey.h"
 #include "lighting/mesh_views.h"
 #include "lighting/names.h"
 #include "lightmesh/facet_mesh.h"
@@ -65,22 +65,6 @@ static void mesh_report_on(struct mesh_lighting *mesh)
     }
 }
 
-/* Those of the frame; NULL if no lamp lights its places. */
-static struct virtual_lights *
-mesh_virtual_lights(const struct mesh_lighting *mesh,
-                    const struct lighting_options *options)
-{
-    struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
-    struct virtual_lights *lights =
-        virtual_lights_new(&mesh->stamp.frame.lit, &mesh->lamps,
-                           options->root ? CHAMBER_ANIMATED : 1, &worker);
-    arena_free(worker.scratch);
-    if (lights->count > 0)
-        return lights;
-    virtual_lights_free(lights);
-    return NULL;
-}
-
 /* Gathers more where rays that go on by chance have to end the bounces. */
 static void mesh_see(struct mesh_lighting *mesh,
                      const struct light_mesh_settings *said,
@@ -110,10 +94,9 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     if (done && known.found) {
         mesh->stamp = known.file.stamp;
         mesh->levels = known.levels;
+        mesh_virtual_again(mesh, options);
     }
     const struct mesh_frame *frame = &mesh->stamp.frame;
-    if (done && frame->lit.count > 0 && frame->samples > 0)
-        mesh->virtual_lights = mesh_virtual_lights(mesh, options);
     done = done && interpolation &&
            (!frame->closed || frame->samples == 0 ||
             mesh_close_make(&mesh->close, mesh->lamps.world, scene, options,
@@ -132,37 +115,6 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     return done;
 }
 
-/* A look at what indirect light there is, if it is wanted; a closer one into a
- * chamber, which some of the light may come into through a window. Where one
- * bounce brings next to nothing more may: round two corners. */
-static struct survey mesh_survey(const struct mesh_lighting *mesh,
-                                 const struct scene *scene,
-                                 const struct lighting_options *options,
-                                 const struct survey *known)
-{
-    struct gather gather = {
-        .lamps = &mesh->lamps,
-        .emitters = mesh->emitters,
-        .ambience = &mesh->ambience,
-        .tone = scene->settings.light_mesh.indirect.tone,
-    };
-    struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
-    struct survey survey = { .open = 1 };
-    if (options->numbers)
-        survey = survey_none();
-    else if (scene->settings.light_mesh.indirect.on)
-        survey = survey_of(&gather, scene, &worker, SURVEY_RAYS, NULL);
-    gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
-    bool chamber = survey.open < open_enough && !options->numbers;
-    if (gather.onward || chamber)
-        survey = survey_of(&gather, scene, &worker,
-                           chamber ? CHAMBER_RAYS : SURVEY_RAYS, known);
-    if (survey.bright.count > 0 || survey.lit.count > 0)
-        survey = survey_of(&gather, scene, &worker, BRIGHT_RAYS, known);
-    arena_free(worker.scratch);
-    return survey;
-}
-
 /* Where mesh points are. */
 static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct scene *scene,
@@ -172,8 +124,7 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
     const struct survey known = { .lit = mesh->root.lit,
                                   .bright = mesh->root.bright };
-    mesh->survey =
-        mesh_survey(mesh, scene, options, mesh->rooted ? &known : NULL);
+    mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
     mesh->stamp.frame =
         plan_frame(scene, outlook, &mesh->survey, options->root, 0);
 }

@@ -8,16 +8,12 @@
 #ifndef LIGHTMESH_BRIGHT_H
 #define LIGHTMESH_BRIGHT_H
 
-#include <stddef.h>
-#include <stdint.h>
-
 #include "base/clones.h"
-#include "base/vec.h"
+#include "lightmesh/hit_cells.h"
 
 enum { BRIGHT_MOST = 64 };
 
-/* Discs in the cells of a lattice in the world, which stays where it is when
- * the camera moves. */
+/* Discs in cells (hit_cells.h). */
 struct bright {
     int count; /* 0: light comes from everywhere */
     double radius;
@@ -26,29 +22,19 @@ struct bright {
         vec3 normal;  /* unit, along an axis, to where its light goes */
         double worth; /* of being aimed at, up to 1: in an animation discs come
                        * and go by and by */
+        double brought; /* of lit cells: share of what lamps' light brings, */
+        double seen_at; /* and from how far, units, mean */
     } at[BRIGHT_MOST];
 };
-
-/* What one ray of a survey found. */
-struct bright_hit {
-    vec3 origin, direction; /* of the ray; unit */
-    vec3 normal;            /* of what it met, against the ray; unit */
-    double distance;        /* HUGE_VAL: it left the scene */
-    double light;           /* of the picture, as are */
-    double lamps;           /* what of it lamps give the surface that was met */
-};
-
-/* Where it met something. */
-vec3 bright_hit_place(const struct bright_hit *hit);
 
 /* Of so many hits, which come in any order. */
 struct bright bright_of(const struct bright_hit *hits, size_t count);
 
-/* The side of their cells; the middle of the cell of that side that a place is
- * in which faces so (side.h); and its name, never 0. */
+/* The side of their cells. */
 double bright_side(const struct bright *bright);
-vec3 cell_middle(vec3 place, int facing, double side);
-uint64_t cell_key(vec3 place, int facing, double side);
+
+/* By how much light is more than the least that counts, 0 to 1. */
+double bright_beyond(double light, double least);
 
 /* Discs side by side, for aim_density. */
 struct aim_lanes {

@@ -31,6 +31,7 @@ struct gather {
     const struct virtual_lights *virtual_lights; /* what these bring to mesh
                                                   * points gather rays don't;
                                                   * NULL: there are none */
+    int picks;                                   /* of which one asks so many */
     double reach; /* of what `here` does not know: what is nearer hides part of
                    * it from what rays meet, ... */
     double crevice;           /* as much as the place is in one, 0 to 1 */

@@ -5,53 +5,75 @@
 #include "lightmesh/virtual_lights.h"
 #include "shade/shadow.h"
 
-/* What a place would see of a virtual light; false: it is behind, or too near.
- */
-static bool virtual_look(const struct virtual_lights *lights,
-                         const struct virtual_light *light, vec3 place,
-                         double *distance, struct gathered_glow *seen)
+/* What a place would see of a virtual light. */
+static struct gathered_glow virtual_look(const struct virtual_light *light,
+                                         vec3 place, double *distance)
 {
     vec3 to = vec3_sub(light->point, place);
     double square = vec3_dot(to, to), facing = -vec3_dot(to, light->normal);
     *distance = sqrt(square);
-    if (!(*distance > lights->near) || !(facing > 0))
-        return false;
-    *seen = (struct gathered_glow){
+    return (struct gathered_glow){
         vec3_scale(to, 1 / *distance),
-        rgb_scale(light->light, virtual_lights_fade(lights, *distance)),
+        rgb_scale(light->light, virtual_light_fade(light->near, *distance)),
         square * *distance / (light->area * facing)
     };
-    return true;
 }
 
-unsigned gather_virtual(const struct gather *gather, struct worker *worker,
-                        vec3 place, unsigned part, int *next,
-                        struct gathered_glow *found)
+struct picked {
+    const struct virtual_pick *picks;
+    unsigned count;
+};
+
+/* Those of up to RAY_LANES that nothing stands before. `lights` are the
+ * part's. */
+static unsigned picks_look(const struct gather *gather, struct worker *worker,
+                           vec3 place, const struct virtual_light *lights,
+                           const struct picked *picked,
+                           struct gathered_glow *found)
 {
-    const struct virtual_lights *lights = gather->virtual_lights;
+    const unsigned count = picked->count;
     struct gathered_glow seen[RAY_LANES];
     struct world_hit hits[RAY_LANES];
     struct rays rays;
     struct rays_span span;
-    unsigned count = 0, met = 0;
-    for (; *next < lights->count && count < RAY_LANES; ++*next) {
+    unsigned met = 0;
+    for (unsigned i = 0; i < count; i++) {
+        const struct virtual_pick *pick = &picked->picks[i];
         const struct virtual_light *light =
-            &lights->at[*next * GATHER_PARTS + (int)part];
+            &lights[pick->number * GATHER_PARTS];
         double distance;
-        if (!virtual_look(lights, light, place, &distance, &seen[count]))
-            continue;
-        rays_set(&rays, (int)count, place, seen[count].direction);
-        span.near[count] = surface_offset(place);
-        span.far[count++] = distance - surface_offset(light->point);
+        seen[i] = virtual_look(light, place, &distance);
+        seen[i].density *= pick->often;
+        rays_set(&rays, (int)i, place, seen[i].direction);
+        span.near[i] = surface_offset(place);
+        span.far[i] = distance - surface_offset(light->point);
     }
-    if (count == 0)
-        return 0;
     worker->counters.shadow_rays += count;
     world_closest_many(gather->lamps->world, &rays, &span, count,
                        RAY_REFLECTION, hits);
     for (unsigned i = 0; i < count; i++)
         if (!hits[i].leaf)
             found[met++] = seen[i];
+    return met;
+}
+
+unsigned gather_virtual(const struct gather *gather, struct worker *worker,
+                        vec3 place, unsigned part, struct gathered_glow *found)
+{
+    struct virtual_pick picks[VIRTUAL_PICKS_MOST];
+    unsigned met = 0;
+    int count = virtual_lights_pick(gather->virtual_lights, place, part,
+                                    gather->picks, picks);
+    for (int first = 0; first < count && !worker_stopped(worker);
+         first += RAY_LANES) {
+        int left = count - first;
+        const struct picked picked = { picks + first, left < RAY_LANES
+                                                          ? (unsigned)left
+                                                          : RAY_LANES };
+        met +=
+            picks_look(gather, worker, place, gather->virtual_lights->at + part,
+                       &picked, found + met);
+    }
     return met;
 }
 

@@ -3,13 +3,14 @@
 #define LIGHTMESH_GATHER_VIRTUAL_H
 
 #include "lightmesh/gather_glow.h"
+#include "lightmesh/virtual_lights.h"
 
-/* Of those of a part (virtual_lights.h) the next RAY_LANES from number *next
- * on, by a ray to each. Returns how many the place sees, into found[RAY_LANES]:
- * what a ray there would bring, drawn with that density. */
+/* By a ray to each of gather->picks that are picked of a part
+ * (virtual_lights.h). Returns how many the place sees, into
+ * found[VIRTUAL_PICKS_MOST]: what a ray there would bring, drawn with that
+ * density. */
 unsigned gather_virtual(const struct gather *gather, struct worker *worker,
-                        vec3 place, unsigned part, int *next,
-                        struct gathered_glow *found);
+                        vec3 place, unsigned part, struct gathered_glow *found);
 
 /* How much of lamps' light they bring of what a gather ray, whose unit
  * direction that is, met first: 0 to 1. */

@@ -7,7 +7,6 @@
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/gather_virtual.h"
 #include "lightmesh/tuning.h"
-#include "lightmesh/virtual_lights.h"
 
 /* A mesh point that gathers. */
 struct gatherer {
@@ -308,22 +307,16 @@ static void gatherer_virtual(const struct gatherer *gatherer,
                              struct gathered *sum)
 {
     const struct gather *gather = &gatherer->mesh->gather;
-    struct gathered_glow found[RAY_LANES];
+    struct gathered_glow found[VIRTUAL_PICKS_MOST];
     unsigned part = gatherer->site->lone
                         ? (unsigned)(gatherer->site->key % GATHER_PARTS)
                         : gatherer_part(gatherer);
-    int next = 0;
-    while (next < gather->virtual_lights->count &&
-           !worker_stopped(gatherer->worker)) {
-        unsigned count =
-            gather_virtual(gather, gatherer->worker, gatherer->site->place,
-                           part, &next, found);
-        for (unsigned i = 0; i < count; i++) {
-            const struct brought brought = { found[i].light, 0,
-                                             found[i].density };
-            gathered_add(sum, gatherer, found[i].direction, &brought,
-                         gatherer->count);
-        }
+    unsigned count = gather_virtual(gather, gatherer->worker,
+                                    gatherer->site->place, part, found);
+    for (unsigned i = 0; i < count; i++) {
+        const struct brought brought = { found[i].light, 0, found[i].density };
+        gathered_add(sum, gatherer, found[i].direction, &brought,
+                     gatherer->count);
     }
 }
 

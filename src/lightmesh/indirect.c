@@ -26,6 +26,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .onward = options->onward,
         .tone = options->tone,
         .virtual_lights = options->virtual_lights,
+        .picks = options->picks,
     };
     mesh->samples = options->samples;
     mesh->gather.wide = 2 / sqrt(fmax(options->samples, 1));

@@ -38,6 +38,7 @@ struct indirect_options {
     const struct bright *bright;    /* where most light comes from; NULL: nobody
                                      * looked */
     const struct virtual_lights *virtual_lights; /* NULL: there are none */
+    int picks;    /* of which a point asks so many */
     size_t bytes; /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */

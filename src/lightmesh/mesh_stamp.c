@@ -1,6 +1,7 @@
 /* See mesh_stamp.h. Settings are kept as text, so that a message can name the
  * one that has changed. */
 #include "lightmesh/mesh_stamp.h"
+#include "lightmesh/virtual_lights.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -189,8 +190,9 @@ static double *discs_put(const struct bright *bright, double *to)
     for (int i = 0; i < bright->count; i++, to += FRAME_DISC_NUMBERS) {
         const struct bright_disc *disc = &bright->at[i];
         const double numbers[FRAME_DISC_NUMBERS] = {
-            disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
-            disc->normal.y, disc->normal.z, disc->worth
+            disc->centre.x, disc->centre.y, disc->centre.z,
+            disc->normal.x, disc->normal.y, disc->normal.z,
+            disc->worth,    disc->brought,  disc->seen_at
         };
         memcpy(to, numbers, sizeof numbers);
     }
@@ -205,7 +207,9 @@ static const double *discs_take(struct bright *bright, double count,
     for (int i = 0; i < bright->count; i++, from += FRAME_DISC_NUMBERS)
         bright->at[i] = (struct bright_disc){ { from[0], from[1], from[2] },
                                               { from[3], from[4], from[5] },
-                                              from[6] };
+                                              from[6],
+                                              from[7],
+                                              from[8] };
     return from;
 }
 
@@ -227,7 +231,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
         f->centre.z,       f->size,        f->gather,         f->samples,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
         f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
-        f->edged,          f->lit.count,   f->lit.radius,
+        f->edged,          f->lit.count,   f->lit.radius,     f->picks,
     };
     double *to = numbers + FRAME_OWN_NUMBERS;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
@@ -251,6 +255,7 @@ void mesh_frame_take(struct mesh_frame *frame,
         .samples = (int)fmin(fmax(n[11], 0), 1e6),
         .asked = (int)fmin(fmax(n[12], 0), 1e6),
         .edged = (int)fmin(fmax(n[20], 0), 1e6),
+        .picks = (int)fmin(fmax(n[23], 0), VIRTUAL_PICKS_MOST),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
     };

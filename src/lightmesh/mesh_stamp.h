@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 16 };
+enum { MESH_VERSION = 17 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -25,6 +25,7 @@ struct mesh_frame {
     double gather; /* spacing */
     int samples;   /* gather rays of a point; 0: it does nothing here */
     int asked;     /* the same, had there been time enough */
+    int picks;     /* virtual lights that it asks */
     int edged;     /* up to so many ways are looked at more closely where two
                     * differ (way_cells.h) */
     bool closed;   /* the skeleton ends the bounces, */
@@ -35,8 +36,8 @@ struct mesh_frame {
 
 /* All of it as numbers, for files and hashes. */
 enum {
-    FRAME_OWN_NUMBERS = 23,
-    FRAME_DISC_NUMBERS = 7,
+    FRAME_OWN_NUMBERS = 24,
+    FRAME_DISC_NUMBERS = 9,
     MESH_FRAME_NUMBERS =
         FRAME_OWN_NUMBERS + 2 * FRAME_DISC_NUMBERS * BRIGHT_MOST
 };

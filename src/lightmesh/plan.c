@@ -5,18 +5,13 @@
 #include "lightmesh/gatherer.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/obstacles.h"
+#include "lightmesh/plan_rays.h"
 #include "lightmesh/tuning.h"
 #include "shade/surface.h"
 
 /* Gathered light differs from point to point by chance, which lamps' doesn't:
  * unless the scene says another it is evened out. */
 static const char gathered_interpolation[] = "smooth";
-
-static double plan_finer(const struct light_mesh_settings *said)
-{
-    double quality = said->quality > 0 ? said->quality : quality_usual;
-    return pow(quality_step, quality - quality_usual);
-}
 
 static struct lattice frame_lattice(const struct mesh_frame *frame)
 {
@@ -35,42 +30,6 @@ static double frame_gather(const struct light_mesh_settings *said,
     return fmax(spacing, size / (indirect_cells * plan_finer(said)));
 }
 
-/* Powers of two, so that what asks for a few more rays or less, as the next
- * picture of an animation does, has as many [flicker: twice as much at the
- * median with multiples of four]. */
-static int rays_within(double rays)
-{
-    int within = GATHER_LEAST;
-    while (2 * within <= rays)
-        within *= 2;
-    return within;
-}
-
-/* As many gather rays of a point as make noise that is hardly seen, for what
- * they bring differs less where lamps give most of the light; none where that
- * changes nothing. Where a chamber would want many, few find out where to look
- * more closely (way_cells.h). What moves there changes the light of all walls:
- * in an animation noise that isn't seen in one picture is, and so many `times`
- * more are sent. */
-static int frame_samples(const struct light_mesh_settings *said,
-                         const struct survey *survey, int times)
-{
-    double finer = plan_finer(said);
-    bool closed = survey->open < open_enough;
-    double wanted = pow(survey->rough / (closed ? chamber_noise : gather_noise),
-                        gather_net);
-    if (said->indirect.samples > 0)
-        return said->indirect.samples;
-    if (survey->worth < gather_worth_none)
-        return 0;
-    wanted =
-        fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
-    if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_WAYS)
-        wanted = CHAMBER_WAYS;
-    return rays_within(sqrt(2) * times * wanted * finer *
-                       finer); /* the nearest */
-}
-
 /* What two ways of a point may differ by: see way_cells.h. */
 static double frame_edge(const struct mesh_frame *frame, double finer)
 {
@@ -87,7 +46,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     bool closed = survey->open < open_enough;
     int times = closed && animated ? CHAMBER_ANIMATED : 1;
-    int samples = frame_samples(said, survey, times);
+    int samples = plan_samples(said, survey, times);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
                    outlook->size / spacing_cells_least);
@@ -105,6 +64,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
                   pow(spacing_coarser, coarser),
         .samples = samples,
         .asked = samples,
+        .picks = plan_picks(said, survey, times),
         .edged = closed ? times * CHAMBER_WAYS : 0,
         .closed = closed,
         .around = survey->around,
@@ -179,13 +139,14 @@ static double plan_rays(const struct light_mesh_settings *said,
 /* What a point costs, in rays: it looks around as well. */
 static double frame_rays(const struct mesh_frame *frame)
 {
-    return frame->samples + OBSTACLE_DIRECTIONS;
+    return frame->samples + frame->picks + OBSTACLE_DIRECTIONS;
 }
 
 /* No more rays of a point than that, but `least` if it had so many. */
 static void frame_ask(struct mesh_frame *frame, double rays, int least)
 {
-    int fewer = rays_within(fmax(rays - OBSTACLE_DIRECTIONS, least));
+    double own = frame->picks + OBSTACLE_DIRECTIONS;
+    int fewer = rays_within(fmax(rays - own, least));
     if (fewer < frame->samples)
         frame->samples = fewer;
 }
@@ -385,6 +346,8 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
         : plan->indirect.onward ? "further rays"
                                 : "what is usual");
     row(context, "plan gather rays", plan->indirect.samples, "");
+    if (plan->frame.picks > 0)
+        row(context, "plan virtual lights", plan->frame.picks, "");
     row(context, "plan gather step", lattice_spacing(indirect, indirect->usual),
         "units");
 }

@@ -171,7 +171,9 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
     }
     sums->worth += changed / sums->each / shown;
     sums->returned += rgb_brightness(sight->returned);
-    sums->sights++;
+    sums->seen[sums->sights++] =
+        (struct seen){ sight->surface.point, sight->surface.side,
+                       rgb_scale(sight->albedo, 1 / shown) };
 }
 
 /* The variance of what one ray brings to a place, if some are aimed: as those
@@ -262,14 +264,22 @@ static void sums_gather(struct sums *sums, const struct scene *scene,
     }
 }
 
-struct bright sums_bright(const struct sums *sums)
+struct bright_hit *sums_chosen(const struct sums *sums, size_t *count)
 {
-    size_t each = (size_t)sums->choosing, count = 0;
+    size_t each = (size_t)sums->choosing;
     struct bright_hit *hits =
         memory_new((size_t)sums->sights * each * sizeof *hits);
-    for (int i = 0; i < sums->sights; i++, count += each)
-        memcpy(hits + count, &sums->hits[(size_t)i * (size_t)sums->each],
+    *count = 0;
+    for (int i = 0; i < sums->sights; i++, *count += each)
+        memcpy(hits + *count, &sums->hits[(size_t)i * (size_t)sums->each],
                each * sizeof *hits);
+    return hits;
+}
+
+static struct bright sums_bright(const struct sums *sums)
+{
+    size_t count;
+    struct bright_hit *hits = sums_chosen(sums, &count);
     struct bright bright = bright_of(hits, count);
     memory_free(hits);
     return bright;
@@ -284,10 +294,12 @@ static void sums_remember(const struct sums *sums, struct survey *survey)
             survey->hit[survey->hits++] = sums->hits[i];
 }
 
-static struct survey sums_tell(struct sums *sums, const struct survey *known,
+static struct survey sums_tell(struct sums *sums,
+                               const struct survey_options *options,
                                struct worker *worker)
 {
     double rays = (double)sums->sights * sums->each;
+    const struct survey *known = options->known;
     struct survey survey = { .open = 1 };
     if (sums->sights == 0)
         return survey;
@@ -297,7 +309,7 @@ static struct survey sums_tell(struct sums *sums, const struct survey *known,
     sums_remember(sums, &survey);
     if (survey.open < open_enough) {
         sums->choosing = sums->each / 2;
-        survey.lit = sums_lit(sums, known ? &known->lit : NULL, worker);
+        sums_light(sums, options, worker, &survey);
         survey.bright = sums_bright(sums);
     } else {
         known = NULL;
@@ -308,17 +320,20 @@ static struct survey sums_tell(struct sums *sums, const struct survey *known,
 }
 
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
-                        struct worker *worker, int rays,
-                        const struct survey *known)
+                        struct worker *worker,
+                        const struct survey_options *options)
 {
     enum { SIGHTS = SURVEY_EDGE * SURVEY_EDGE };
-    struct sums sums = { .gather = gather, .each = rays };
-    sums.hits = memory_new(SIGHTS * (size_t)rays * sizeof *sums.hits);
-    sums.brought = memory_new(SIGHTS * (size_t)rays * sizeof *sums.brought);
+    struct sums sums = { .gather = gather, .each = options->rays };
+    size_t rays = SIGHTS * (size_t)options->rays;
+    sums.hits = memory_new(rays * sizeof *sums.hits);
+    sums.brought = memory_new(rays * sizeof *sums.brought);
+    sums.seen = memory_new(SIGHTS * sizeof *sums.seen);
     sums_gather(&sums, scene, worker);
-    struct survey survey = sums_tell(&sums, known, worker);
+    struct survey survey = sums_tell(&sums, options, worker);
     memory_free(sums.hits);
     memory_free(sums.brought);
+    memory_free(sums.seen);
     return survey;
 }
 

@@ -6,21 +6,24 @@
 #include "lightmesh/bright.h"
 #include "lightmesh/gather.h"
 #include "lightmesh/indirect_light.h"
+#include "lightmesh/virtual_lights.h"
 
 enum { SURVEY_HITS = 128 };
 
 struct survey {
-    double open;  /* share of gather rays that leave the scene, or end where it
-                   * glows: there is no bounce after them */
-    double worth; /* what they change of what the picture shows: mean, relative
-                   */
-    double rough; /* by how much one of them differs from another, some being
-                   * aimed at what is bright: root mean square, relative to what
-                   * the picture shows */
-    struct bright lit;    /* bright places whose light virtual lights bring; 0:
-                           * none */
-    struct bright bright; /* where most of the rest comes from */
-    int hits;             /* some of what they met, from all over the picture */
+    double open;   /* share of gather rays that leave the scene, or end where it
+                    * glows: there is no bounce after them */
+    double worth;  /* what they change of what the picture shows: mean, relative
+                    */
+    double rough;  /* by how much one of them differs from another, some being
+                    * aimed at what is bright: root mean square, relative to what
+                    * the picture shows */
+    double picked; /* the same of what one virtual light brings that a place
+                    * picks */
+    struct bright lit; /* places whose light virtual lights bring; 0: none */
+    struct virtual_lights *lights; /* these, the caller's; NULL: none */
+    struct bright bright;          /* where most of the rest comes from */
+    int hits; /* some of what they met, from all over the picture */
     struct bright_hit hit[SURVEY_HITS];
     struct indirect_share around; /* what surfaces give each other, mean */
 };
@@ -28,12 +31,19 @@ struct survey {
 /* What to reckon with where nobody looks: all matters. */
 struct survey survey_none(void);
 
-/* `gather` has no mesh; `rays`, at least 4, of each place. Bright places that
- * are `known` (NULL: none are) are taken if they serve nearly as well as others
- * that are found. */
+/* How to look. */
+struct survey_options {
+    int rays;  /* of each place, at least 4 */
+    int times; /* as many virtual lights as a picture needs; 0: none */
+    const struct survey *known; /* whose bright and lit places are taken if
+                                 * they serve nearly as well as others that are
+                                 * found; NULL: none are known */
+};
+
+/* `gather` has no mesh. */
 struct survey survey_of(const struct gather *gather, const struct scene *scene,
-                        struct worker *worker, int rays,
-                        const struct survey *known);
+                        struct worker *worker,
+                        const struct survey_options *options);
 
 /* Takes a line: what, how much, and its unit or "". */
 typedef void survey_row(void *context, const char *what, double amount,

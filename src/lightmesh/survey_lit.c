@@ -1,6 +1,11 @@
 /* What virtual lights bring of what a survey found: see survey_sums.h. */
 #include "lightmesh/survey_sums.h"
 
+#include "base/memory.h"
+#include "base/warp.h"
+#include "lightmesh/gather_virtual.h"
+#include "lightmesh/gather_ways.h"
+#include "lightmesh/lit_cells.h"
 #include "lightmesh/tuning.h"
 #include "lightmesh/virtual_lights.h"
 
@@ -35,29 +40,102 @@ static void sums_leave(struct sums *sums, const struct virtual_lights *lights)
     }
 }
 
-struct bright sums_lit(struct sums *sums, const struct bright *known,
-                       struct worker *worker)
+/* The variance of what one pick brings to a place that is seen. */
+static double seen_picked(const struct seen *seen, const struct gather *gather,
+                          struct worker *worker, unsigned part)
 {
-    const struct lamps *lamps = sums->gather->lamps;
-    struct bright lit = { .count = 0 }, found = sums_bright(sums);
-    double all = 0, sent, before = 0;
-    struct virtual_lights *lights, *older = NULL;
-    if (found.count == 0 || lamps->scene->fogs.count > 0)
+    struct gathered_glow found[VIRTUAL_PICKS_MOST];
+    unsigned count = gather_virtual(gather, worker, seen->place, part, found);
+    double sum = 0, squares = 0;
+    for (unsigned i = 0; i < count; i++) {
+        double cosine = fmax(vec3_dot(found[i].direction, seen->side), 0);
+        double brought = rgb_brightness(rgb_mul(seen->shows, found[i].light)) *
+                         cosine / (WARP_PI * found[i].density) * gather->picks;
+        sum += brought;
+        squares += brought * brought;
+    }
+    return fmax(squares - sum * sum / gather->picks, 0) / (gather->picks - 1);
+}
+
+static double sums_picked(const struct sums *sums,
+                          const struct virtual_lights *lights,
+                          struct worker *worker)
+{
+    struct gather gather = *sums->gather;
+    double sum = 0;
+    gather.virtual_lights = lights;
+    gather.picks = SURVEY_PICKS;
+    for (int i = 0; i < sums->sights; i++)
+        sum += seen_picked(&sums->seen[i], &gather, worker,
+                           (unsigned)i % GATHER_PARTS);
+    return sqrt(sum / sums->sights);
+}
+
+static struct bright sums_lit_cells(const struct sums *sums)
+{
+    size_t count;
+    struct bright_hit *hits = sums_chosen(sums, &count);
+    struct bright lit = lit_cells_of(hits, count);
+    memory_free(hits);
+    return lit;
+}
+
+/* Those of some cells, and what they bring. */
+struct lit {
+    struct bright cells;
+    struct virtual_lights *lights; /* NULL: none */
+    double sent;
+};
+
+static struct lit lit_new(const struct sums *sums, const struct bright *cells,
+                          const struct survey_options *options,
+                          struct worker *worker)
+{
+    struct lit lit = { .cells = *cells };
+    if (cells->count == 0)
         return lit;
+    lit.lights =
+        virtual_lights_new(cells, sums->gather->lamps, options->times, worker);
+    lit.sent = sums_sent(sums, lit.lights);
+    return lit;
+}
+
+static struct lit sums_lit(const struct sums *sums,
+                           const struct survey_options *options,
+                           struct worker *worker)
+{
+    const struct bright found = sums_lit_cells(sums);
+    struct lit lit = lit_new(sums, &found, options, worker);
+    if (!options->known)
+        return lit;
+    struct lit known = lit_new(sums, &options->known->lit, options, worker);
+    bool keep = known.sent * bright_known > lit.sent;
+    virtual_lights_free((keep ? &lit : &known)->lights);
+    return keep ? known : lit;
+}
+
+static double sums_light_all(const struct sums *sums)
+{
+    double all = 0;
     for (size_t i = 0; i < (size_t)sums->sights * (size_t)sums->each; i++)
         all += sums->hits[i].light;
-    lights = virtual_lights_new(&found, lamps, 1, worker);
-    sent = sums_sent(sums, lights);
-    if (known) {
-        older = virtual_lights_new(known, lamps, 1, worker);
-        before = sums_sent(sums, older);
+    return all;
+}
+
+void sums_light(struct sums *sums, const struct survey_options *options,
+                struct worker *worker, struct survey *survey)
+{
+    if (options->times == 0 || sums->gather->lamps->scene->fogs.count > 0)
+        return;
+    struct lit lit = sums_lit(sums, options, worker);
+    if (lit.sent > virtual_worth * sums_light_all(sums)) {
+        survey->lit = lit.cells;
+        survey->lights = lit.lights;
+    } else {
+        virtual_lights_free(lit.lights);
     }
-    bool keep = before * bright_known > sent;
-    if (fmax(sent, before) > virtual_worth * all) {
-        sums_leave(sums, keep ? older : lights);
-        lit = keep ? *known : found;
+    if (survey->lights) {
+        survey->picked = sums_picked(sums, survey->lights, worker);
+        sums_leave(sums, survey->lights);
     }
-    virtual_lights_free(lights);
-    virtual_lights_free(older);
-    return lit;
 }

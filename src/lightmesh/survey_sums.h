@@ -11,6 +11,12 @@ struct brought {
     double lamps;       /* of the light, what hit.lamps is */
 };
 
+/* A place that the camera sees. */
+struct seen {
+    vec3 place, side; /* unit, from which it is seen */
+    rgb shows;        /* of irradiance, of all that the picture shows there */
+};
+
 /* Of all gather rays. */
 struct sums {
     const struct gather *gather;
@@ -21,15 +27,15 @@ struct sums {
     rgb light;
     struct bright_hit *hits;
     struct brought *brought;
+    struct seen *seen;
 };
 
-/* The places that those which choose found to be bright. */
-struct bright sums_bright(const struct sums *sums);
+/* The hits of those which choose; freed with memory_free. */
+struct bright_hit *sums_chosen(const struct sums *sums, size_t *count);
 
-/* Bright places that are lit by lamps, if much of all light is: those that are
- * known if that is nearly as much. What virtual lights bring of it is left out
- * of the sums. Fog would weaken it. */
-struct bright sums_lit(struct sums *sums, const struct bright *known,
-                       struct worker *worker);
+/* Virtual lights, if they bring much of all light, into survey->lights and
+ * survey->lit; what they bring is left out of the sums. Fog would weaken it. */
+void sums_light(struct sums *sums, const struct survey_options *options,
+                struct worker *worker, struct survey *survey);
 
 #endif

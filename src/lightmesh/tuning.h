@@ -305,29 +305,40 @@ static const double bright_known = 2;  /* of the variance there is with those
                                         * that are found: by those of another
                                         * picture of an animation there may
                                         * be so much [flicker] */
-static const double bright_cells = 10; /* along the chamber, at least */
+static const double lit_taken = 0.9; /* of lamps' light, of which lit cells are
+                                      * to have so much, */
+enum { LIT_SIDES = 3 }; /* if not, cells of up to so many sizes are tried */
+static const double bright_cells = 10;  /* along the chamber, at least */
 static const double bright_round = 0.7; /* radius of what is in a cell, sides */
 static const double bright_wall = 1e-3; /* of that its walls are off */
 
 /* Virtual lights [room, thinwall]. */
 enum {
-    VIRTUAL_LEAST = 12,     /* for a mesh point, at least, */
-    VIRTUAL_MOST = 32,      /* and at most: more gain nothing */
-    VIRTUAL_EDGE = 16,      /* rays along the edge of a cell that look at it, */
-    VIRTUAL_EDGE_LEAST = 4, /* or so few, */
-    VIRTUAL_RAYS = 8192,    /* so that there are no more in all */
+    VIRTUAL_LEAST = 32,     /* of each part, at least, */
+    VIRTUAL_MOST = 256,     /* and at most */
+    VIRTUAL_EDGE_LEAST = 4, /* rays along the edge of a cell that look at it, at
+                             * least, */
+    VIRTUAL_RAYS = 8192,    /* and about so many in all, where there is light */
+};
+enum {
+    SURVEY_PICKS = 16,        /* that tell how many a point needs: */
+    VIRTUAL_PICKS_LEAST = 32, /* at least, */
+    VIRTUAL_PICKS = 128,      /* and at most, for one picture */
 };
 static const double virtual_worth = 0.05; /* share of all light, to be worth any
                                            */
-static const double virtual_cell = 3; /* so many along a cell that is all lit */
-static const double virtual_near = 0.75, /* of their distance from each other:
-                                          * what is nearer gather rays bring, */
-    virtual_far = 1.5;                   /* and what is farther these */
+static const double virtual_unseen = 1e-3; /* a cell of which a survey saw
+                                            * nothing is about that share of
+                                            * all that is brought */
+static const double virtual_apart = 0.25;  /* from each other, share of how far
+                                            * they are from what they light */
+static const double virtual_near = 1.2;    /* of their distance from each other:
+                                            * what is nearer gather rays bring */
 
-static const double gather_noise = 0.009;  /* of the picture, */
-static const double chamber_noise = 0.012; /* and in chambers, where neighbours
-                                            * send other rays [room, kitchen]
-                                            */
+static const double gather_noise = 0.009;   /* of the picture, */
+static const double chamber_noise = 0.0095; /* and in chambers, where neighbours
+                                             * send other rays [room, kitchen]
+                                             */
 static const double gather_edge = 3;   /* in chambers: see way_cells.h [blocks,
                                         * cornell, flicker] */
 static const double gather_net = 1.43; /* the noise of ways falls by the power

@@ -2,26 +2,23 @@
 #include "lightmesh/virtual_lights.h"
 
 #include "base/memory.h"
-#include "base/morton.h"
 #include "base/side.h"
 #include "base/smooth.h"
-#include "lightmesh/gather_lamps.h"
-#include "lightmesh/gather_paint.h"
 #include "lightmesh/gather_ways.h"
 #include "lightmesh/tuning.h"
-#include "shade/finish.h"
-#include "shade/shadow.h"
+#include "lightmesh/virtual_samples.h"
 
-enum { LAYERS = 3 }; /* of surfaces behind each other in a cell, at most */
-
-/* Places of the surfaces in all cells, those of a cell along a curve. */
+/* Lit places in all cells, those of one cell together. */
 struct samples {
-    const struct virtual_lights *lights;
-    struct gather gather;
-    struct worker *worker;
-    unsigned edge; /* of the grid of rays into a cell */
-    size_t count;
-    struct virtual_light *at; /* of area 0: nothing is there */
+    struct virtual_light *at;
+    size_t count, room;
+    double brought; /* by all cells that are lit */
+    double wanted;  /* lights of a part */
+    struct cell_samples {
+        size_t count;
+        double power; /* in all */
+        double step;  /* units, between rays */
+    } of[VIRTUAL_SLOTS];
 };
 
 /* The slot of a cell, or the free one where it would be. */
@@ -33,16 +30,23 @@ static unsigned cell_slot(const struct virtual_lights *lights, uint64_t key)
     return slot;
 }
 
-static void cell_add(struct virtual_lights *lights, vec3 place, int facing,
-                     double worth)
+static struct virtual_cell *cell_add(struct virtual_lights *lights, vec3 place,
+                                     const struct bright_disc *disc)
 {
+    int facing = side_of(disc->normal);
     uint64_t key = cell_key(place, facing, lights->side);
     struct virtual_cell *cell = &lights->cell[cell_slot(lights, key)];
     if (!cell->key)
-        *cell = (struct virtual_cell){ key,
-                                       cell_middle(place, facing, lights->side),
-                                       facing, worth };
-    cell->worth = fmax(cell->worth, worth);
+        *cell = (struct virtual_cell){
+            .key = key,
+            .middle = cell_middle(place, facing, lights->side),
+            .facing = facing,
+            .brought = virtual_unseen,
+            .seen_at = disc->seen_at,
+        };
+    cell->worth = fmax(cell->worth, disc->worth);
+    cell->seen_at = fmin(cell->seen_at, disc->seen_at);
+    return cell;
 }
 
 /* With those beside it: what a survey found there may go on into them. */
@@ -56,153 +60,176 @@ static void cells_around(struct virtual_lights *lights,
         for (int i = -1; i <= 1; i++)
             cell_add(lights,
                      vec3_along(vec3_along(disc->centre, across, i), down, j),
-                     facing, disc->worth);
+                     disc);
+    struct virtual_cell *own = cell_add(lights, disc->centre, disc);
+    own->brought = fmax(own->brought, disc->brought);
 }
 
-static double cell_worth(const struct virtual_lights *lights, vec3 place,
-                         vec3 normal)
+double virtual_light_fade(double near, double distance)
 {
-    uint64_t key = cell_key(place, side_of(normal), lights->side);
-    return lights->cell[cell_slot(lights, key)].worth;
-}
-
-double virtual_lights_fade(const struct virtual_lights *lights, double distance)
-{
-    return smooth_step((distance - lights->near) /
-                       (lights->far - lights->near));
+    return smooth_step(distance / near - 1);
 }
 
 double virtual_lights_share(const struct virtual_lights *lights, vec3 place,
                             vec3 normal, double distance)
 {
-    if (distance <= lights->near)
-        return 0;
-    double worth = cell_worth(lights, place, normal);
-    return worth > 0 ? worth * virtual_lights_fade(lights, distance) : 0;
-}
-
-/* What lamps make the surface send on. */
-static rgb sample_light(const struct samples *samples,
-                        const struct surface *surface,
-                        const struct draws *draws, vec3 from)
-{
-    const struct receiver receiver = { .point = surface->point,
-                                       .side = surface->side,
-                                       .normal = surface->normal,
-                                       .from = from,
-                                       .weight = 1 };
-    rgb light = gather_lamps(&samples->gather, samples->worker, draws, false,
-                             surface, &receiver);
-    return rgb_mul(gather_albedo(surface, surface_sky(surface)), light);
-}
-
-/* The cell's surfaces that a ray meets on its way through it. */
-static void samples_look(struct samples *samples,
-                         const struct virtual_cell *cell, struct ray ray,
-                         size_t first, const struct draws *draws)
-{
-    double side = samples->lights->side, end = side;
-    double area = side * side / (samples->edge * samples->edge);
-    for (unsigned i = 0; i < LAYERS; i++) {
-        struct intersection at;
-        struct surface surface;
-        const struct glimpse glimpse = { surface_offset(ray.origin), end,
-                                         gather_spread };
-        samples->worker->counters.shadow_rays++;
-        if (!world_glimpse(samples->gather.lamps->world, &ray, glimpse,
-                           RAY_REFLECTION, &at))
-            return;
-        gather_surface(&samples->gather, &ray, &at, &surface);
-        vec3 normal = vec3_against(at.face, ray.direction);
-        if (cell_key(at.point, side_of(normal), side) == cell->key)
-            samples->at[first + i] = (struct virtual_light){
-                at.point, normal,
-                rgb_scale(sample_light(samples, &surface, draws, ray.origin),
-                          cell->worth),
-                area / -vec3_dot(normal, ray.direction)
-            };
-        end -= at.t;
-        ray.origin = at.point;
-    }
-}
-
-/* Rows and columns are shifted against each other: many edges of light are
- * along them. */
-static double row_shift(unsigned row)
-{
-    double turns = (row + 0.5) * 0.61803398874989485;
-    return turns - floor(turns);
-}
-
-/* Those in one cell, by rays from its front. */
-static void samples_cell(struct samples *samples,
-                         const struct virtual_cell *cell, size_t first)
-{
-    double side = samples->lights->side, step = side / samples->edge;
-    vec3 normal = side_normal(cell->facing), across = side_across(cell->facing),
-         down = side_down(cell->facing);
-    vec3 front = vec3_along(cell->middle, normal, side / 2);
-    front = vec3_along(vec3_along(front, across, -side / 2), down, -side / 2);
-    for (unsigned j = 0; j < samples->edge; j++)
-        for (unsigned i = 0; i < samples->edge; i++) {
-            size_t at = first + morton_place(i, j);
-            struct draws draws = { samples->gather.lamps->seed, (uint32_t)at };
-            vec3 from = vec3_along(front, across, (i + row_shift(j)) * step);
-            struct ray ray = { vec3_along(from, down,
-                                          (j + row_shift(i)) * step),
-                               vec3_negate(normal) };
-            samples_look(samples, cell, ray, at * LAYERS, &draws);
-            arena_reset(samples->worker->scratch);
-        }
-}
-
-/* Lamps may be negative, in one colour or all. */
-static double light_amount(rgb light)
-{
-    return fmax(fabs(light.r), fmax(fabs(light.g), fabs(light.b)));
+    uint64_t key = cell_key(place, side_of(normal), lights->side);
+    const struct virtual_cell *cell = &lights->cell[cell_slot(lights, key)];
+    return cell->worth > 0 && distance > cell->near
+               ? cell->worth * virtual_light_fade(cell->near, distance)
+               : 0;
 }
 
 static double light_power(const struct virtual_light *light)
 {
-    return light_amount(light->light) * light->area;
+    return virtual_light_amount(light->light) * light->area;
 }
 
-/* So many of them that have the same power each, evenly along the curve. */
-static void lights_take(struct virtual_lights *lights,
-                        const struct samples *samples, double power)
+static double samples_power(const struct virtual_light *at, size_t count)
 {
-    size_t count = (size_t)lights->count * GATHER_PARTS, next = 0;
-    double each = power / (double)count, sum = 0;
-    lights->at = memory_new(count * sizeof *lights->at);
-    for (size_t i = 0; i < samples->count && next < count; i++) {
-        const struct virtual_light *sample = &samples->at[i];
-        sum += light_power(sample);
-        while (next < count && sum > ((double)next + 0.5) * each) {
-            lights->at[next] = *sample;
-            lights->at[next++].area =
-                each * GATHER_PARTS / light_amount(sample->light);
+    double power = 0;
+    for (size_t i = 0; i < count; i++)
+        power += light_power(&at[i]);
+    return power;
+}
+
+static double samples_area(const struct virtual_light *at, size_t count)
+{
+    double area = 0;
+    for (size_t i = 0; i < count; i++)
+        area += at[i].area;
+    return area;
+}
+
+/* A first look into all cells: what nothing lights is left out. */
+static void samples_begin(struct samples *samples,
+                          struct virtual_lights *lights,
+                          const struct lamps *lamps, struct worker *worker)
+{
+    struct virtual_light
+        found[VIRTUAL_LAYERS * VIRTUAL_EDGE_LEAST * VIRTUAL_EDGE_LEAST];
+    for (int i = 0; i < VIRTUAL_SLOTS; i++) {
+        struct virtual_cell *cell = &lights->cell[i];
+        if (!cell->key)
+            continue;
+        size_t count = virtual_samples_of(lamps, worker, cell, lights->side,
+                                          VIRTUAL_EDGE_LEAST, found);
+        samples->of[i].power = samples_power(found, count);
+        if (samples->of[i].power > 0)
+            samples->brought += cell->brought;
+        else
+            cell->worth = 0;
+    }
+}
+
+/* How many rays along an edge look at a cell: the more, the more it brings. */
+static unsigned cell_edge(double share)
+{
+    unsigned edge = VIRTUAL_EDGE_LEAST;
+    while (edge < VIRTUAL_EDGE_MOST && 2 * edge * edge <= VIRTUAL_RAYS * share)
+        edge *= 2;
+    return edge;
+}
+
+static struct virtual_light *samples_room(struct samples *samples)
+{
+    if (samples->room - samples->count < VIRTUAL_SAMPLES_MOST) {
+        samples->room = 2 * samples->room + VIRTUAL_SAMPLES_MOST;
+        samples->at =
+            memory_resize(samples->at, samples->room * sizeof *samples->at);
+    }
+    return samples->at + samples->count;
+}
+
+/* A closer look into each. */
+static void samples_look(struct samples *samples,
+                         const struct virtual_lights *lights,
+                         const struct lamps *lamps, struct worker *worker)
+{
+    double side = lights->side, all = samples->brought;
+    samples->brought = 0;
+    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
+        const struct virtual_cell *cell = &lights->cell[i];
+        struct cell_samples *of = &samples->of[i];
+        if (!(of->power > 0))
+            continue;
+        struct virtual_light *at = samples_room(samples);
+        unsigned edge = cell_edge(cell->brought / all);
+        of->count = virtual_samples_of(lamps, worker, cell, side, edge, at);
+        of->power = samples_power(at, of->count);
+        of->step = side / edge;
+        samples->count += of->count;
+        samples->brought += of->power > 0 ? cell->brought : 0;
+        double apart = virtual_apart * cell->seen_at;
+        samples->wanted += samples_area(at, of->count) / (apart * apart);
+    }
+}
+
+static void lanes_set(struct virtual_lanes *lanes, int i,
+                      const struct virtual_light *light)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        lanes->place[axis][i] = vec3_component(light->point, axis);
+        lanes->normal[axis][i] = vec3_component(light->normal, axis);
+    }
+    lanes->power[i] = light_power(light);
+    lanes->near[i] = light->near;
+}
+
+/* So many of a cell for each part, all of the same power, evenly along the
+ * curve. What moves in another cell changes none of them. */
+static void cell_take(struct virtual_lights *lights,
+                      const struct virtual_cell *cell,
+                      const struct cell_samples *of,
+                      const struct virtual_light *samples, int each_part)
+{
+    int count = each_part * GATHER_PARTS, next = 0;
+    struct virtual_light *at = &lights->at[lights->count * GATHER_PARTS];
+    double each = of->power / count, sum = 0;
+    for (size_t i = 0; i < of->count && next < count; i++) {
+        sum += light_power(&samples[i]);
+        for (; next < count && sum > (next + 0.5) * each; next++) {
+            at[next] = samples[i];
+            at[next].near = cell->near;
+            at[next].area =
+                each * GATHER_PARTS / virtual_light_amount(samples[i].light);
         }
     }
-    lights->count = (int)(next / GATHER_PARTS);
+    lights->count += next / GATHER_PARTS;
+}
+
+/* About so many for each part. */
+static void lights_take(struct virtual_lights *lights,
+                        const struct samples *samples, double wanted)
+{
+    const struct virtual_light *at = samples->at;
+    lights->at = memory_new(VIRTUAL_LANES * GATHER_PARTS * sizeof *lights->at);
+    for (int i = 0; i < VIRTUAL_SLOTS; i++) {
+        const struct cell_samples *of = &samples->of[i];
+        struct virtual_cell *cell = &lights->cell[i];
+        double area = samples_area(at, of->count);
+        double each_part =
+            fmax(round(wanted * cell->brought / samples->brought), 1);
+        cell->near = virtual_near * fmax(sqrt(area / each_part), of->step);
+        if (of->power > 0)
+            cell_take(lights, cell, of, at, (int)each_part);
+        else
+            cell->worth = 0;
+        at += of->count;
+    }
+    lights->lanes = memory_new(GATHER_PARTS * sizeof *lights->lanes);
+    for (int i = 0; i < lights->count * GATHER_PARTS; i++)
+        lanes_set(&lights->lanes[i % GATHER_PARTS], i / GATHER_PARTS,
+                  &lights->at[i]);
 }
 
 static void lights_choose(struct virtual_lights *lights,
                           const struct samples *samples, int times)
 {
-    double power = 0, area = 0, side = lights->side;
-    for (size_t i = 0; i < samples->count; i++) {
-        double part = light_power(&samples->at[i]);
-        power += part;
-        area += part > 0 ? samples->at[i].area : 0;
-    }
-    if (!(power > 0) || !isfinite(power))
-        return;
-    double wanted = area * virtual_cell * virtual_cell / (side * side);
-    wanted = times * fmin(fmax(ceil(wanted), VIRTUAL_LEAST), VIRTUAL_MOST);
-    lights->count = (int)wanted;
-    lights->near = virtual_near * sqrt(area / wanted);
-    lights->far = virtual_far * sqrt(area / wanted);
-    lights_take(lights, samples, power);
+    double wanted =
+        times * fmin(fmax(samples->wanted, VIRTUAL_LEAST), VIRTUAL_MOST);
+    if (samples->brought > 0)
+        lights_take(lights, samples, wanted);
 }
 
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
@@ -210,34 +237,66 @@ struct virtual_lights *virtual_lights_new(const struct bright *lit,
                                           struct worker *worker)
 {
     struct virtual_lights *lights = memory_new(sizeof *lights);
-    struct samples samples = { .lights = lights,
-                               .gather = { .lamps = lamps },
-                               .worker = worker,
-                               .edge = VIRTUAL_EDGE };
+    struct samples *samples = memory_new(sizeof *samples);
     lights->side = bright_side(lit);
     for (int i = 0; i < lit->count; i++)
         cells_around(lights, &lit->at[i]);
-    size_t cells = 0, rays;
-    for (int i = 0; i < VIRTUAL_SLOTS; i++)
-        cells += lights->cell[i].key != 0;
-    while (samples.edge > VIRTUAL_EDGE_LEAST &&
-           samples.edge * samples.edge * cells > VIRTUAL_RAYS)
-        samples.edge /= 2;
-    rays = (size_t)samples.edge * samples.edge;
-    samples.count = cells * rays * LAYERS;
-    samples.at = memory_new((samples.count + 1) * sizeof *samples.at);
-    cells = 0;
-    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++)
-        if (lights->cell[i].key)
-            samples_cell(&samples, &lights->cell[i], cells++ * rays);
-    lights_choose(lights, &samples, times);
-    memory_free(samples.at);
+    samples_begin(samples, lights, lamps, worker);
+    samples_look(samples, lights, lamps, worker);
+    lights_choose(lights, samples, times);
+    memory_free(samples->at);
+    memory_free(samples);
     return lights;
 }
 
 void virtual_lights_free(struct virtual_lights *lights)
 {
-    if (lights)
+    if (lights) {
         memory_free(lights->at);
+        memory_free(lights->lanes);
+    }
     memory_free(lights);
+}
+
+/* What each gives a place, in whatever direction; returns the sum. */
+CLONES static double lanes_give(const struct virtual_lanes *lanes, int count,
+                                const double at[3], double *give)
+{
+    const double px = at[0], py = at[1], pz = at[2];
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+        double x = px - lanes->place[0][i], y = py - lanes->place[1][i],
+               z = pz - lanes->place[2][i];
+        double square = x * x + y * y + z * z, distance = sqrt(square);
+        double facing = x * lanes->normal[0][i] + y * lanes->normal[1][i] +
+                        z * lanes->normal[2][i];
+        double t = distance / lanes->near[i] - 1;
+        t = t < 0 ? 0 : t;
+        t = t > 1 ? 1 : t;
+        double fade = t * t * (3 - 2 * t);
+        double each = lanes->power[i] * facing * fade / (square * distance);
+        give[i] = ((facing > 0) & (t > 0)) ? each : 0;
+    }
+    for (int i = 0; i < count; i++)
+        sum += give[i];
+    return sum;
+}
+
+int virtual_lights_pick(const struct virtual_lights *lights, vec3 place,
+                        unsigned part, int wanted, struct virtual_pick *picks)
+{
+    const double at[3] = { place.x, place.y, place.z };
+    double give[VIRTUAL_LANES];
+    double sum = lanes_give(&lights->lanes[part], lights->count, at, give);
+    double each = sum / wanted, passed = 0, next = each / 2;
+    int count = 0;
+    for (int i = 0; i < lights->count && count < wanted; i++) {
+        int times = 0;
+        passed += give[i];
+        for (; next < passed; next += each)
+            times++;
+        if (times > 0)
+            picks[count++] = (struct virtual_pick){ i, give[i] / each / times };
+    }
+    return count;
 }

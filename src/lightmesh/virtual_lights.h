@@ -1,8 +1,10 @@
-/* Bright places that lamps light, as virtual lights (Keller, Instant Radiosity,
- * 1997): the patch of sun under a window is looked at once, by many rays, and
- * all mesh points get its light from few places of it, each by a shadow ray.
- * What is so near to a mesh point that these would be seen apart stays with its
- * gather rays, and fades over. */
+/* What lamps light, as virtual lights (Keller, Instant Radiosity, 1997): the
+ * floor before a window, or a street in the sun, is looked at once, by many
+ * rays, and mesh points get its light from places of it, each by a shadow ray.
+ * There are more of these where they are seen from near by; and a mesh point
+ * asks those that would give it most, each as often as it would (resampled
+ * importance sampling: Talbot, Cline and Egbert 2005). What is so near to it
+ * that these would be seen apart stays with its gather rays, and fades over. */
 #ifndef LIGHTMESH_VIRTUAL_LIGHTS_H
 #define LIGHTMESH_VIRTUAL_LIGHTS_H
 
@@ -14,28 +16,45 @@ struct virtual_light {
     vec3 point, normal; /* of the surface, unit */
     rgb light;          /* that it sends on, all around alike */
     double area;        /* for which it stands */
+    double near;        /* of its cell */
 };
 
-enum { VIRTUAL_CELLS = 9 * BRIGHT_MOST, VIRTUAL_SLOTS = 1024 };
+enum {
+    VIRTUAL_CELLS = 9 * BRIGHT_MOST,
+    VIRTUAL_SLOTS = 1024,
+    VIRTUAL_LANES = 2048,     /* lights of a part, at most */
+    VIRTUAL_PICKS_MOST = 256, /* of which a place asks */
+};
+
+/* Those of a part, side by side. */
+struct virtual_lanes {
+    LANE_LINES double place[3][VIRTUAL_LANES];
+    double normal[3][VIRTUAL_LANES];
+    double power[VIRTUAL_LANES]; /* of the strongest colour */
+    double near[VIRTUAL_LANES];
+};
 
 /* Each part (gather_ways.h) has others, in all of which there is as much light.
  */
 struct virtual_lights {
     int count;                /* of a part; 0: there are none */
     struct virtual_light *at; /* of part p numbers p, p + GATHER_PARTS, ... */
-    double near, far; /* units: gather rays have what is nearer, these what is
-                       * farther */
-    double side;      /* of cells, */
+    struct virtual_lanes *lanes; /* of each part */
+    double side;                 /* of cells, */
     struct virtual_cell {
-        uint64_t key; /* bright_key; 0: none */
+        uint64_t key; /* cell_key; 0: none */
         vec3 middle;
-        int facing;        /* side.h */
-        double worth;      /* how much of its light is theirs, up to 1 */
+        int facing;     /* side.h */
+        double worth;   /* how much of its light is theirs, up to 1 */
+        double brought; /* share of all light that is brought, about, */
+        double seen_at; /* and from how far */
+        double near; /* units: gather rays have what is nearer, virtual lights
+                      * what is twice as far */
     } cell[VIRTUAL_SLOTS]; /* a hash table */
 };
 
 /* Of the surfaces in these places and in the cells beside them; `times` as many
- * as a picture needs. Frees with virtual_lights_free. */
+ * as a picture needs. Freed with virtual_lights_free. */
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
                                           const struct lamps *lamps, int times,
                                           struct worker *worker);
@@ -47,7 +66,17 @@ double virtual_lights_share(const struct virtual_lights *lights, vec3 place,
                             vec3 normal, double distance);
 
 /* How much of a virtual light's they do. */
-double virtual_lights_fade(const struct virtual_lights *lights,
-                           double distance);
+double virtual_light_fade(double near, double distance);
+
+/* One that a place asks: it is picked so often, in the mean. */
+struct virtual_pick {
+    int number;
+    double often;
+};
+
+/* Picks `wanted` of a part, up to VIRTUAL_PICKS_MOST; returns how many are not
+ * the same. */
+int virtual_lights_pick(const struct virtual_lights *lights, vec3 place,
+                        unsigned part, int wanted, struct virtual_pick *picks);
 
 #endif

@@ -22,8 +22,8 @@ static struct survey surveyed(const char *text)
                                    .emitters = emitters,
                                    .ambience = &ambience };
     struct worker worker = { .scratch = arena_new(0) };
-    struct survey survey =
-        survey_of(&gather, all->scene, &worker, SURVEY_RAYS, NULL);
+    const struct survey_options look = { .rays = SURVEY_RAYS };
+    struct survey survey = survey_of(&gather, all->scene, &worker, &look);
     arena_free(worker.scratch);
     emitters_free(emitters);
     lamps_free(&lamps);

@@ -1,6 +1,7 @@
 /* A lit patch as virtual lights: all of its light, once. */
 #include "harness.h"
 
+#include "base/side.h"
 #include "base/warp.h"
 #include "lightmesh/gather_virtual.h"
 #include "lightmesh/gather_ways.h"
@@ -22,17 +23,34 @@ struct patch {
     struct lamps lamps;
     struct worker worker;
     struct virtual_lights *lights;
+    int picks;
 };
 
-/* Cells of side 1: the patch is found in the one around its middle alone. */
+/* The cell that its middle is in. */
+static const struct virtual_cell *patch_cell(const struct patch *patch)
+{
+    const vec3 middle = { 0, 0, 0 }, up = { 0, 1, 0 };
+    uint64_t key = cell_key(middle, side_of(up), patch->lights->side);
+    for (int i = 0; i < VIRTUAL_SLOTS; i++)
+        if (patch->lights->cell[i].key == key)
+            return &patch->lights->cell[i];
+    fail_msg("no cell");
+    return NULL;
+}
+
+/* Cells of side 1: the patch is in four of them. */
 static struct patch patch_new(const char *text, double worth)
 {
-    struct bright lit = { .count = 1, .radius = 0.7 };
+    struct bright lit = { .count = 4, .radius = 0.7 };
     struct patch patch = { .all = scene_world_new(text) };
-    lit.at[0] = (struct bright_disc){ { 0.5, 0, 0.5 }, { 0, 1, 0 }, worth };
+    for (int i = 0; i < 4; i++)
+        lit.at[i] = (struct bright_disc){
+            { i % 2 - 0.5, 0, i / 2 - 0.5 }, { 0, 1, 0 }, worth, 0.25, 3
+        };
     patch.lamps = lamps_new(patch.all->world, patch.all->scene, 9, 0);
     patch.worker = (struct worker){ .scratch = arena_new(0) };
     patch.lights = virtual_lights_new(&lit, &patch.lamps, 1, &patch.worker);
+    patch.picks = VIRTUAL_PICKS_MOST;
     return patch;
 }
 
@@ -48,19 +66,19 @@ static void patch_free(struct patch *patch)
 static rgb patch_gives(struct patch *patch, vec3 place)
 {
     const struct gather gather = { .lamps = &patch->lamps,
-                                   .virtual_lights = patch->lights };
-    struct gathered_glow found[RAY_LANES];
+                                   .virtual_lights = patch->lights,
+                                   .picks = patch->picks };
+    struct gathered_glow found[VIRTUAL_PICKS_MOST];
     rgb sum = rgb_grey(0);
-    for (unsigned part = 0; part < GATHER_PARTS; part++)
-        for (int next = 0; next < patch->lights->count;) {
-            unsigned count = gather_virtual(&gather, &patch->worker, place,
-                                            part, &next, found);
-            for (unsigned i = 0; i < count; i++)
-                sum = rgb_add_scaled(
-                    sum, found[i].light,
-                    -found[i].direction.y /
-                        (WARP_PI * found[i].density * GATHER_PARTS));
-        }
+    for (unsigned part = 0; part < GATHER_PARTS; part++) {
+        unsigned count =
+            gather_virtual(&gather, &patch->worker, place, part, found);
+        for (unsigned i = 0; i < count; i++)
+            sum =
+                rgb_add_scaled(sum, found[i].light,
+                               -found[i].direction.y /
+                                   (WARP_PI * found[i].density * GATHER_PARTS));
+    }
     return sum;
 }
 
@@ -82,7 +100,7 @@ static void test_all_light(void **state)
 {
     struct patch patch = patch_new(LIT, 1);
     (void)state;
-    assert_true(patch.lights->count > 0 && patch.lights->far < 2);
+    assert_true(patch.lights->count > 0 && patch_cell(&patch)->near < 1);
     for (double height = 2; height <= 4; height++)
         for (double beside = 0; beside <= 3; beside++) {
             vec3 place = { beside * 0.6, height, -beside * 0.8 };
@@ -102,12 +120,33 @@ static void test_shares(void **state)
     struct patch patch = patch_new(LIT, 0.5);
     const struct virtual_lights *lights = patch.lights;
     (void)state;
-    assert_true(virtual_lights_share(lights, middle, up, lights->near) == 0);
-    assert_true(virtual_lights_share(lights, middle, up, lights->far) == 0.5);
+    const double near = patch_cell(&patch)->near;
+    assert_true(virtual_lights_share(lights, middle, up, near) == 0);
+    assert_true(virtual_lights_share(lights, middle, up, 2 * near) == 0.5);
     assert_true(virtual_lights_share(lights, middle, down, 9) == 0);
     assert_true(virtual_lights_share(lights, vec3_make(9, 0, 9), up, 9) == 0);
     assert_about(patch_gives(&patch, vec3_make(0, 3, 0)).r,
                  0.5 * 4 * seen_share(3, 0));
+    patch_free(&patch);
+}
+
+/* Few that are picked bring what all do; none that faces away is. */
+static void test_picks(void **state)
+{
+    struct patch patch = patch_new(LIT, 1);
+    struct virtual_pick picks[8];
+    (void)state;
+    patch.picks = 8;
+    for (double beside = 0; beside <= 3; beside++) {
+        vec3 place = { beside, 2, 0 };
+        double wanted = 4 * seen_share(2, beside);
+        double light = patch_gives(&patch, place).r;
+        int count = virtual_lights_pick(patch.lights, place, 0, 8, picks);
+        assert_true(count > 0 && count <= 8);
+        assert_true(fabs(light - wanted) < 0.04 * wanted);
+    }
+    assert_int_equal(
+        virtual_lights_pick(patch.lights, vec3_make(0, -2, 0), 0, 8, picks), 0);
     patch_free(&patch);
 }
 
@@ -144,9 +183,8 @@ static void test_hidden(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_light),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_negative),
+        cmocka_unit_test(test_all_light), cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_picks),     cmocka_unit_test(test_negative),
         cmocka_unit_test(test_hidden),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

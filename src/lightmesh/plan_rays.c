@@ -1,0 +1,67 @@
+/* How many rays a point sends: see plan_rays.h. */
+#include "lightmesh/plan_rays.h"
+
+#include <math.h>
+
+#include "lightmesh/tuning.h"
+
+double plan_finer(const struct light_mesh_settings *said)
+{
+    double quality = said->quality > 0 ? said->quality : quality_usual;
+    return pow(quality_step, quality - quality_usual);
+}
+
+/* Powers of two, so that what asks for a few more rays or less, as the next
+ * picture of an animation does, has as many [flicker: twice as much at the
+ * median with multiples of four]. */
+int rays_within(double rays)
+{
+    int within = GATHER_LEAST;
+    while (2 * within <= rays)
+        within *= 2;
+    return within;
+}
+
+/* How many make so much noise of what differs by so much. */
+static double rays_for(double rough, double noise)
+{
+    return pow(rough / noise, gather_net);
+}
+
+/* As many gather rays of a point as make noise that is hardly seen, for what
+ * they bring differs less where lamps give most of the light; none where that
+ * changes nothing. Where a chamber would want many, few find out where to look
+ * more closely (way_cells.h). What moves there changes the light of all walls:
+ * in an animation noise that isn't seen in one picture is, and so many `times`
+ * more are sent. */
+int plan_samples(const struct light_mesh_settings *said,
+                 const struct survey *survey, int times)
+{
+    double finer = plan_finer(said);
+    bool closed = survey->open < open_enough;
+    double wanted =
+        rays_for(survey->rough, closed ? chamber_noise : gather_noise);
+    if (said->indirect.samples > 0)
+        return said->indirect.samples;
+    if (survey->worth < gather_worth_none)
+        return 0;
+    wanted =
+        fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
+    if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_WAYS)
+        wanted = CHAMBER_WAYS;
+    return rays_within(sqrt(2) * times * wanted * finer *
+                       finer); /* the nearest */
+}
+
+/* As many virtual lights as make noise that is hardly seen, likewise. */
+int plan_picks(const struct light_mesh_settings *said,
+               const struct survey *survey, int times)
+{
+    double finer = plan_finer(said);
+    double wanted = rays_for(survey->picked, chamber_noise);
+    wanted = fmin(fmax(wanted, VIRTUAL_PICKS_LEAST), VIRTUAL_PICKS) * times *
+             finer * finer;
+    return survey->lit.count > 0
+               ? rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_MOST))
+               : 0;
+}

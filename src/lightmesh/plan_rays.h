@@ -1,0 +1,23 @@
+/* How many rays a mesh point sends. */
+#ifndef LIGHTMESH_PLAN_RAYS_H
+#define LIGHTMESH_PLAN_RAYS_H
+
+#include "lightmesh/survey.h"
+#include "scene/scene.h"
+
+/* How much finer a mesh is than at the usual quality: a factor. */
+double plan_finer(const struct light_mesh_settings *said);
+
+/* The most that a net has without being more than so many. */
+int rays_within(double rays);
+
+/* To what surfaces send, `times` as many as one picture needs; 0: there are to
+ * be none. */
+int plan_samples(const struct light_mesh_settings *said,
+                 const struct survey *survey, int times);
+
+/* And to virtual lights, likewise. */
+int plan_picks(const struct light_mesh_settings *said,
+               const struct survey *survey, int times);
+
+#endif
