@@ -213,10 +213,16 @@ static const double *discs_take(struct bright *bright, double count,
     return from;
 }
 
+static bool disc_possible(const struct bright_disc *disc)
+{
+    return disc->worth > 0 && disc->brought >= 0 && disc->brought <= 1 &&
+           disc->seen_at >= 0;
+}
+
 static bool discs_possible(const struct bright *bright)
 {
     for (int i = 0; i < bright->count; i++)
-        if (!(bright->at[i].worth > 0))
+        if (!disc_possible(&bright->at[i]))
             return false;
     return bright->count == 0 || bright->radius > 0;
 }

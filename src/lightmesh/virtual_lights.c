@@ -21,6 +21,8 @@ struct samples {
     } of[VIRTUAL_SLOTS];
 };
 
+_Static_assert(9 * BRIGHT_MOST < VIRTUAL_SLOTS, "a slot is always free");
+
 /* The slot of a cell, or the free one where it would be. */
 static unsigned cell_slot(const struct virtual_lights *lights, uint64_t key)
 {

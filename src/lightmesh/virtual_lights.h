@@ -20,7 +20,6 @@ struct virtual_light {
 };
 
 enum {
-    VIRTUAL_CELLS = 9 * BRIGHT_MOST,
     VIRTUAL_SLOTS = 1024,
     VIRTUAL_LANES = 2048,     /* lights of a part, at most */
     VIRTUAL_PICKS_MOST = 256, /* of which a place asks */
@@ -50,7 +49,7 @@ struct virtual_lights {
         double seen_at; /* and from how far */
         double near; /* units: gather rays have what is nearer, virtual lights
                       * what is twice as far */
-    } cell[VIRTUAL_SLOTS]; /* a hash table */
+    } cell[VIRTUAL_SLOTS]; /* a hash table, never full */
 };
 
 /* Of the surfaces in these places and in the cells beside them; `times` as many
