@@ -147,7 +147,7 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     }
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (said->indirect.on)
-        mesh->emitters = emitters_new(world);
+        mesh->emitters = emitters_new(world, true);
     if (options->keep || said->load_file)
         mesh->stamp =
             mesh_stamp_new(scene, plan_held(said, mesh->lamps.count),

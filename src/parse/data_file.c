@@ -7,7 +7,9 @@ struct data_text {
     const char *name;
     char *items; /* no NUL at the end */
     size_t count, capacity;
-    bool bytes; /* others than text were written too */
+    struct span opened; /* for writing, first: where the user says so */
+    bool bytes;         /* others than text were written too */
+    bool wanted;        /* it was read back */
 };
 
 struct data_files {
@@ -39,6 +41,7 @@ const struct source *data_file_written(struct parser *p, const char *name,
                                    : NULL;
     if (!text || *problem)
         return NULL;
+    text->wanted = true;
     struct source *source = ARENA_NEW(p->sources, struct source);
     char *copy = arena_alloc(p->sources, text->count + 1);
     if (text->count > 0)
@@ -93,18 +96,14 @@ static void data_text_start(struct parser *p, struct data_text *text,
 struct data_file *data_file_write(struct parser *p, const char *name,
                                   bool append, struct span span)
 {
-    if (!p->data_files) {
+    if (!p->data_files)
         p->data_files = ARENA_NEW(p->arena, struct data_files);
-        warning_at(p, span, NULL,
-                   "glim writes no files: '%s' is kept in memory while the "
-                   "scene is read",
-                   name);
-    }
     struct data_text *text = data_text_find(p, name);
     bool known = text;
     if (!known) {
         text = ARENA_NEW(p->arena, struct data_text);
         text->name = name;
+        text->opened = library_user(p, span);
         *ARRAY_PUSH(p->arena, p->data_files) = text;
     }
     if (!append) {
@@ -117,6 +116,18 @@ struct data_file *data_file_write(struct parser *p, const char *name,
     file->name = name;
     file->text = text;
     return file;
+}
+
+void data_files_tell(struct parser *p)
+{
+    for (size_t i = 0; p->data_files && i < p->data_files->count; i++) {
+        const struct data_text *text = p->data_files->items[i];
+        if (!text->wanted)
+            warning_at(p, text->opened, NULL,
+                       "glim writes no files: '%s' is not written, and nobody "
+                       "reads it here",
+                       text->name);
+    }
 }
 
 /* ---- reading ---- */

@@ -36,6 +36,9 @@ void data_file_put(struct parser *p, struct data_file *file,
 /* Bytes that are no text were written: they are not kept. */
 void data_file_put_bytes(struct data_file *file);
 
+/* Warns of what the scene has written and not read back: it is lost. */
+void data_files_tell(struct parser *p);
+
 /* What the scene wrote under the name, as a source that `span` asks for; NULL
  * if it wrote nothing. *problem is why it can't be read back, or NULL. */
 const struct source *data_file_written(struct parser *p, const char *name,

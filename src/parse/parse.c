@@ -6,6 +6,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "parse/data_file.h"
 #include "parse/rules.h"
 #include "parse/stream.h"
 #include "parse/symbol.h"
@@ -135,8 +136,10 @@ static void parse_run(struct parser *p, const struct source *main)
     if (p->options->light_said)
         light_said_apply(p->options->light_said, p->options->light,
                          &p->scene->settings);
-    if (p->diag->errors == 0)
+    if (p->diag->errors == 0) {
+        data_files_tell(p);
         settings_finish(p);
+    }
 }
 
 struct scene *parse_scene(const struct source *main,

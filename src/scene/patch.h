@@ -10,12 +10,14 @@ enum patch_kind {
     PATCH_TRIANGLE,      /* at, at + a, at + b */
     PATCH_DISC,          /* around `at`, a and b its half axes */
     PATCH_BALL,          /* around `at`, its radius in `radius` */
+    PATCH_POINT,         /* at, which stands for an area */
 };
 
 struct patch {
     enum patch_kind kind;
     vec3 at, a, b;
     double radius; /* of balls */
+    double area;   /* of points */
 };
 
 enum { PATCHES_MAX = 6 };

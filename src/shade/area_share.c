@@ -330,10 +330,20 @@ rgb area_visibility(const struct area_grid *grid, rgb arriving,
     return area_seen(&walk, &all);
 }
 
-/* How far from one end of an edge to the other the light changes, 0..1. */
+/* Whether something that lets light pass is before it. */
+static bool seen_through(rgb seen)
+{
+    double least = fmin(fmin(seen.r, seen.g), seen.b);
+    return least < 1 && rgb_peak(seen) > 0;
+}
+
+/* How far from one end of an edge to the other the light changes, 0..1. Within
+ * a pane there is no outline: it changes by and by. */
 static double edge_cut(struct area_walk *walk, int i0, int j0, int i1, int j1)
 {
     rgb first = area_see(walk, i0, j0);
+    if (seen_through(first) && seen_through(area_see(walk, i1, j1)))
+        return 0.5;
     int steps = abs(i1 - i0) + abs(j1 - j0), low = 0, high = steps;
     while (high - low > 1) {
         int middle = (low + high) / 2;
@@ -457,6 +467,13 @@ static int outline_least(const struct area_walk *walk, rgb seen)
     return lit ? walk->surely + walk->thorough : walk->asked;
 }
 
+/* Whether it is all behind a pane. */
+static bool corners_seen_through(const struct area_corners *at)
+{
+    return seen_through(at->a) && seen_through(at->b) && seen_through(at->c) &&
+           seen_through(at->d);
+}
+
 static bool outline_tells(struct area_walk *walk, const struct area_part *part,
                           rgb *share)
 {
@@ -464,6 +481,8 @@ static bool outline_tells(struct area_walk *walk, const struct area_part *part,
     bool agree = corners_agree(walk, &at);
     bool last = part->level >= outline_cuts(walk->grid->adaptive);
     if (agree && (last || part->level >= outline_least(walk, at.a)))
+        *share = corners_mean(&at);
+    else if (part->level >= walk->asked && corners_seen_through(&at))
         *share = corners_mean(&at);
     else if (last)
         *share = outline_cut(walk, &at, part);

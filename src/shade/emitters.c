@@ -9,12 +9,18 @@
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
+#include "shade/emitter_points.h"
 
 enum {
-    PARTS_MAX = 4 * 1000 * 1000
-}; /* of the scene; more are left to chance */
+    PARTS_MAX = 4 * 1000 * 1000, /* of the scene; more are left to chance */
+    STREWN_MOST = 64, /* shapes without patches: in a crowd they hide each other
+                       * from most of the places they are picked for */
+    LINES = 2048,     /* to find points of each, */
+    LINES_DENSE = 16, /* times as many of a few, if these find fewer */
+    POINTS_FEW = 256  /* than so many */
+};
 
-/* A patch of a shape, or a triangle of a mesh. */
+/* A patch of a shape, or one of its points, or a triangle of a mesh. */
 struct part {
     const struct leaf *leaf;
     uint32_t number;
@@ -31,7 +37,9 @@ struct emitters {
         size_t count, capacity;
     } sums; /* of area times glow, up to and with each part */
     double total;
-    bool *picked; /* by leaf number: emitters_pick finds it */
+    struct emitter_points points; /* of shapes without patches */
+    size_t strewn;                /* how many of these glow */
+    bool *picked;                 /* by leaf number: emitters_pick finds it */
 };
 
 /* About how bright a texture glows; 0 if it doesn't. */
@@ -69,12 +77,27 @@ static struct patch triangle_patch(const struct leaf *leaf, uint32_t number)
     return patch_moved(&patch, leaf->pose->outward);
 }
 
+/* What has no patches but points. */
+static bool leaf_is_strewn(const struct leaf *leaf)
+{
+    return leaf->object->kind == OBJECT_SHAPE &&
+           !leaf->object->primitive->patches &&
+           emitter_points_can(leaf->object->primitive);
+}
+
 /* Balls stay in the leaf's own space, flat patches are in the world's. */
-static struct patch part_patch(const struct leaf *leaf, uint32_t number)
+static struct patch part_patch(const struct emitters *emitters,
+                               const struct leaf *leaf, uint32_t number)
 {
     struct patch patches[PATCHES_MAX];
     if (leaf->object->kind == OBJECT_MESH)
         return triangle_patch(leaf, number);
+    if (leaf_is_strewn(leaf)) {
+        const struct emitter_point *point = &emitters->points.items[number];
+        return (struct patch){ .kind = PATCH_POINT,
+                               .at = point->at,
+                               .area = point->area };
+    }
     leaf->object->primitive->patches(leaf->shape, patches);
     if (patches[number].kind == PATCH_BALL)
         return patches[number];
@@ -90,6 +113,8 @@ static double growth(const affine *transform)
 static double patch_area(const struct leaf *leaf, const struct patch *patch)
 {
     double area = vec3_length(vec3_cross(patch->a, patch->b));
+    if (patch->kind == PATCH_POINT)
+        return patch->area;
     if (patch->kind == PATCH_BALL)
         return 4 * WARP_PI * patch->radius * patch->radius *
                pow(growth(leaf->pose->outward), 2.0 / 3);
@@ -101,7 +126,7 @@ static double patch_area(const struct leaf *leaf, const struct patch *patch)
 static void add_part(struct emitters *emitters, const struct leaf *leaf,
                      uint32_t number, double glow)
 {
-    struct patch patch = part_patch(leaf, number);
+    struct patch patch = part_patch(emitters, leaf, number);
     double power = patch_area(leaf, &patch) * glow;
     if (!(power > 0) || !isfinite(power))
         return;
@@ -111,13 +136,36 @@ static void add_part(struct emitters *emitters, const struct leaf *leaf,
     *ARRAY_PUSH(emitters->arena, &emitters->sums) = emitters->total;
 }
 
+/* Its points, found by many lines if it fills little of its box. */
+static void add_points(struct emitters *emitters, const struct leaf *leaf,
+                       double glow)
+{
+    const size_t first = emitters->points.count;
+    emitter_points_add(emitters->arena, leaf, LINES, &emitters->points);
+    if (emitters->points.count - first < POINTS_FEW &&
+        emitters->strewn <= STREWN_MOST / LINES_DENSE) {
+        emitters->points.count = first;
+        emitter_points_add(emitters->arena, leaf, LINES * LINES_DENSE,
+                           &emitters->points);
+    }
+    emitters->picked[leaf->number] = emitters->points.count > first;
+    for (size_t i = first; i < emitters->points.count; i++)
+        add_part(emitters, leaf, (uint32_t)i, glow);
+}
+
 static void add_shape(struct emitters *emitters, const struct leaf *leaf)
 {
     struct patch patches[PATCHES_MAX];
     const struct primitive *primitive = leaf->object->primitive;
     double glow = texture_glow(leaf->look->texture);
-    if (glow == 0 || !primitive->patches ||
-        emitters->parts.count + PATCHES_MAX > PARTS_MAX)
+    if (glow == 0 || emitters->parts.count + PATCHES_MAX > PARTS_MAX)
+        return;
+    if (leaf_is_strewn(leaf)) {
+        if (emitters->strewn > 0 && emitters->strewn <= STREWN_MOST)
+            add_points(emitters, leaf, glow);
+        return;
+    }
+    if (!primitive->patches)
         return;
     int count = primitive->patches(leaf->shape, patches);
     emitters->picked[leaf->number] = true;
@@ -165,12 +213,29 @@ static void add_solid(void *context, const struct solid *solid)
         add_solid(context, solid->children[i]);
 }
 
-struct emitters *emitters_new(const struct world *world)
+static void count_leaf(void *context, const struct leaf *leaf)
+{
+    struct emitters *emitters = context;
+    emitters->strewn +=
+        leaf_is_strewn(leaf) && texture_glow(leaf->look->texture) > 0;
+}
+
+static void count_solid(void *context, const struct solid *solid)
+{
+    if (solid->leaf)
+        count_leaf(context, solid->leaf);
+    for (size_t i = 0; i < solid->child_count; i++)
+        count_solid(context, solid->children[i]);
+}
+
+struct emitters *emitters_new(const struct world *world, bool strewn)
 {
     struct arena *arena = arena_new(0);
     struct emitters *emitters = ARENA_NEW(arena, struct emitters);
     emitters->arena = arena;
     emitters->picked = ARENA_ARRAY(arena, bool, world_leaf_count(world) + 1);
+    if (strewn)
+        world_visit(world, count_solid, count_leaf, emitters);
     world_visit(world, add_solid, add_leaf, emitters);
     return emitters;
 }
@@ -262,6 +327,21 @@ static bool patch_pick(const struct patch *patch, double area, vec3 point,
     return cosine > 0;
 }
 
+/* The way there, whatever else of the leaf is met on it. */
+static bool point_pick(const struct leaf *leaf, const struct patch *patch,
+                       vec3 point, struct emitter_pick *pick)
+{
+    vec3 offset = vec3_sub(patch->at, point);
+    double distance = vec3_length(offset);
+    if (!(distance > 0))
+        return false;
+    pick->direction = vec3_scale(offset, 1 / distance);
+    pick->distance = (double)INFINITY;
+    pick->density =
+        emitter_points_density(leaf, point, pick->direction) / patch->area;
+    return true;
+}
+
 bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
                    const double u[2], struct emitter_pick *pick)
 {
@@ -269,11 +349,15 @@ bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
     size_t number =
         draw_share(emitters->sums.items, emitters->sums.count, which, &share);
     const struct part *part = &emitters->parts.items[number];
-    struct patch patch = part_patch(part->leaf, part->number);
-    double area = patch_area(part->leaf, &patch);
-    bool there = patch.kind == PATCH_BALL
-                     ? ball_pick(part->leaf, &patch, point, u, pick)
-                     : patch_pick(&patch, area, point, u, pick);
+    struct patch patch = part_patch(emitters, part->leaf, part->number);
+    bool there;
+    if (patch.kind == PATCH_BALL)
+        there = ball_pick(part->leaf, &patch, point, u, pick);
+    else if (patch.kind == PATCH_POINT)
+        there = point_pick(part->leaf, &patch, point, pick);
+    else
+        there =
+            patch_pick(&patch, patch_area(part->leaf, &patch), point, u, pick);
     pick->leaf = part->leaf;
     pick->density *= share;
     return there && pick->density > 0 && isfinite(pick->density);
@@ -286,8 +370,10 @@ double emitters_density(const struct emitters *emitters, vec3 point,
     if (!emitters->picked[leaf->number])
         return 0;
     double glow = texture_glow(at->texture) / emitters->total;
+    if (leaf_is_strewn(leaf))
+        return glow * emitter_points_density(leaf, point, direction);
     if (leaf->object->kind == OBJECT_SHAPE) {
-        struct patch patch = part_patch(leaf, 0);
+        struct patch patch = part_patch(emitters, leaf, 0);
         if (patch.kind == PATCH_BALL)
             return glow * patch_area(leaf, &patch) *
                    ball_density(leaf, &patch, point, direction);

@@ -1,7 +1,8 @@
 /* Surfaces that glow as lamps: a point of one is picked by area and power, or
  * on a ball by the solid angle it fills, with the density that multiple
  * importance sampling needs (Veach 1997, section 9.2). Surfaces whose shape
- * has no patches are left to chance. Both sides glow. */
+ * has no patches have some points strewn over them that stand for the rest, or
+ * are left to chance. Both sides glow. */
 #ifndef SHADE_EMITTERS_H
 #define SHADE_EMITTERS_H
 
@@ -9,8 +10,9 @@
 
 struct emitters;
 
-/* Frees with emitters_free. */
-struct emitters *emitters_new(const struct world *world);
+/* Frees with emitters_free. `strewn`: points of the surface may stand for it,
+ * which is off by a few in a hundred. */
+struct emitters *emitters_new(const struct world *world, bool strewn);
 void emitters_free(struct emitters *emitters);
 
 /* Whether there is anything to pick. */

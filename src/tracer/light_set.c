@@ -34,7 +34,7 @@ static void *path_start(const struct world *world, const struct scene *scene,
         set->lamps[i] = lamp_new(&lights[i], (int)i);
         set->sums[i] = sum += isfinite(glow) ? glow : 0;
     }
-    set->emitters = emitters_new(world);
+    set->emitters = emitters_new(world, false);
     set->ambience = ambience_new(world, scene);
     if (scene->settings.skeleton.guide == PATH_GUIDE_OFF)
         return set;

@@ -450,6 +450,29 @@ static void test_area_outline(void **state)
     }
 }
 
+/* A pane before all of the light, that lets more pass to one side: no outline
+ * is looked for, and no more points are asked than the author has written. */
+static void through_pane(void *context, const struct area_points *points,
+                         rgb *seen)
+{
+    struct only *only = context;
+    only->asked += points->count;
+    for (int k = 0; k < points->count; k++)
+        seen[k] = rgb_grey(0.5 + 0.8 * points->location[0][k]);
+}
+
+static void test_area_outline_behind_pane(void **state)
+{
+    (void)state;
+    for (int size = 3; size <= 9; size = 2 * size - 1) {
+        struct light light = unit_light(size, size, -1);
+        struct only pane = { 0 };
+        assert_true(fabs(outline_share(&light, through_pane, &pane) - 0.5) <
+                    1e-9);
+        assert_true(pane.asked <= size * size);
+    }
+}
+
 /* A disc before the light, wider than the parts that are looked at. Chords
  * leave out some of it: less with every step of `adaptive` from 2 on. */
 static void around_disc(void *context, const struct area_points *points,
@@ -536,6 +559,7 @@ int main(void)
         cmocka_unit_test(test_area_adaptive),
         cmocka_unit_test(test_area_outline),
         cmocka_unit_test(test_area_outline_of_disc),
+        cmocka_unit_test(test_area_outline_behind_pane),
         cmocka_unit_test(test_area_refined),
         cmocka_unit_test(test_area_shapes),
     };

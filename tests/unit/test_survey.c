@@ -16,7 +16,7 @@ static struct survey surveyed(const char *text)
 {
     struct scene_world *all = scene_world_new(text);
     struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
-    struct emitters *emitters = emitters_new(all->world);
+    struct emitters *emitters = emitters_new(all->world, true);
     struct ambience ambience = ambience_new(all->world, all->scene);
     const struct gather gather = { .lamps = &lamps,
                                    .emitters = emitters,
