@@ -139,6 +139,8 @@ static bool pixels_sharp(struct mesh_pixels *pixels,
 bool mesh_pixels_wanted(struct mesh_pixels *pixels, struct first_hits *grid)
 {
     pixels_forget(pixels);
+    if (camera_blurs(&pixels->scene->camera)) /* its pixels see many places */
+        return false;
     pixels->soft = pixels_soft(pixels, grid);
     pixels->off = !pixels_sharp(pixels, grid);
     if (!pixels->soft && pixels->each) /* a pixel asks no other */

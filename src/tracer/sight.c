@@ -112,22 +112,26 @@ static struct lens lens_of(const struct tracer *tracer, struct worker *worker)
 /* A place of the picture, while its rays are added up. */
 struct lens_pixel {
     const struct lens *lens;
-    double at[2], begin[2];
+    struct picture_place place; /* of its middle */
+    double begin[2];
     uint64_t key;
     struct draw_slot slot;
     struct blur blur;
     bool settled;
 };
 
+/* Its rays are all of one pixel, of which nothing is known before. */
 static void lens_start(struct lens_pixel *pixel, const struct lens *lens,
-                       const double at[2])
+                       const struct picture_place *place)
 {
     uint64_t bits[2];
-    memcpy(bits, at, sizeof bits);
+    memcpy(bits, place->at, sizeof bits);
     *pixel = (struct lens_pixel){ .lens = lens,
-                                  .at = { at[0], at[1] },
+                                  .place = *place,
                                   .key = random_key(bits[0], bits[1]) };
-    pixel->settled = !camera_sees(lens->camera, at[0], at[1]);
+    pixel->place.pixel = worker_pixel(lens->worker);
+    pixel->place.around = NULL;
+    pixel->settled = !camera_sees(lens->camera, place->at[0], place->at[1]);
     pixel->slot = draw_slot_of(pixel->key, 0);
     lens_begin(pixel->key, pixel->begin);
 }
@@ -158,10 +162,11 @@ static struct radiance lens_see_one(const struct lens_pixel *pixel)
     double at[2], point[2];
     draw_pair(&(struct draws){ pixel->key, (uint32_t)number }, 0, at);
     for (int i = 0; i < 2; i++)
-        at[i] = pixel->at[i] + lens_spread(lens, i, at[i]);
+        at[i] = pixel->place.at[i] + lens_spread(lens, i, at[i]);
     lens_choose(pixel, number, point);
     return tracer_ray(lens->tracer, lens->worker,
-                      camera_lens_ray(lens->camera, at[0], at[1], point), NULL);
+                      camera_lens_ray(lens->camera, at[0], at[1], point),
+                      &pixel->place);
 }
 
 static bool lens_is_done(const struct lens_pixel *pixel)
@@ -194,8 +199,10 @@ static void packet_places(const struct lens_packet *packet,
     draw_pairs(&packet->draws, places->x, places->y);
     for (unsigned i = 0; i < packet->count; i++) {
         const struct lens_pixel *pixel = packet->pixels[i];
-        places->x[i] = pixel->at[0] + lens_spread(pixel->lens, 0, places->x[i]);
-        places->y[i] = pixel->at[1] + lens_spread(pixel->lens, 1, places->y[i]);
+        places->x[i] =
+            pixel->place.at[0] + lens_spread(pixel->lens, 0, places->x[i]);
+        places->y[i] =
+            pixel->place.at[1] + lens_spread(pixel->lens, 1, places->y[i]);
     }
 }
 
@@ -235,10 +242,13 @@ static void packet_see(struct lens_packet *packet)
     struct world_hit hits[WORLD_RAYS];
     struct radiance seen[WORLD_RAYS];
     struct wavefront wavefront;
-    struct tracer_met met = { NULL, &rays, hits, packet->count };
+    struct picture_place of[WORLD_RAYS];
+    struct tracer_met met = { of, &rays, hits, packet->count };
     if (!packet->count)
         return;
     const struct lens *lens = packet->pixels[0]->lens;
+    for (unsigned i = 0; i < packet->count; i++)
+        of[i] = packet->pixels[i]->place;
     packet_places(packet, &places);
     packet_points(packet, &points);
     places_fill(&places, packet->count);
@@ -296,7 +306,7 @@ static void tracer_blurred_many(const struct tracer *tracer,
     struct lens_pixel pixels[WORLD_RAYS];
     struct lens_packet packet = { .count = 0 };
     for (unsigned i = 0; i < count; i++)
-        lens_start(&pixels[i], &lens, places[i].at);
+        lens_start(&pixels[i], &lens, &places[i]);
     for (bool more = true; more;) {
         more = false;
         for (unsigned i = 0; i < count; i++)
@@ -317,7 +327,7 @@ static struct radiance tracer_blurred(const struct tracer *tracer,
 {
     const struct lens lens = lens_of(tracer, worker);
     struct lens_pixel pixel;
-    lens_start(&pixel, &lens, place->at);
+    lens_start(&pixel, &lens, place);
     while (!lens_is_done(&pixel)) {
         lens_add(&pixel, lens_see_one(&pixel));
         arena_reset(worker->scratch);

@@ -43,7 +43,8 @@ struct radiance tracer_camera(const struct tracer *tracer,
 
 /* `count` of each. */
 struct tracer_met {
-    const struct picture_place *places; /* NULL: of rays through a lens */
+    const struct picture_place *places; /* of each, or of the pixel whose lens
+                                         * it comes through */
     const struct rays *rays;
     const struct world_hit *hits;
     unsigned count;
