@@ -25,6 +25,7 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     plan->indirect.bright = &mesh->stamp.frame.bright;
     plan->indirect.virtual_lights = mesh->virtual_lights;
     plan->indirect.picks = mesh->stamp.frame.picks;
+    plan->indirect.glow_picks = mesh->stamp.frame.glow_picks;
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;

@@ -280,6 +280,16 @@ static void gatherer_aim(const struct gatherer *gatherer,
     gatherer_flush(gatherer, waiting, sum);
 }
 
+/* Those of all parts are a net, too. */
+static struct draws gatherer_pick_draws(const struct gatherer *gatherer,
+                                        uint32_t pick)
+{
+    if (gatherer->site->lone)
+        return (struct draws){ gatherer->site->key, pick };
+    uint32_t first = gatherer_part(gatherer) * gatherer->picks;
+    return (struct draws){ gatherer->mesh->gather.lamps->seed, first + pick };
+}
+
 /* The same for places on what glows. */
 static void gatherer_pick(const struct gatherer *gatherer,
                           struct indirect_light *light)
@@ -291,7 +301,7 @@ static void gatherer_pick(const struct gatherer *gatherer,
     while (next < gatherer->picks && !worker_stopped(gatherer->worker)) {
         unsigned count = 0;
         while (next < gatherer->picks && count < RAY_LANES)
-            draws[count++] = gatherer_draws(gatherer, next++);
+            draws[count++] = gatherer_pick_draws(gatherer, next++);
         count = gather_pick(gather, gatherer->worker, gatherer->site->place,
                             draws, count, found);
         for (unsigned i = 0; i < count; i++)
@@ -377,6 +387,8 @@ void gatherer_fill(const void *context, struct worker *worker,
             gatherer.even = even;
     }
     gatherer.picks = (gatherer.count + PICK_PART - 1) / PICK_PART;
+    if (!site->lone && gatherer.picks < (uint32_t)mesh->glow_picks)
+        gatherer.picks = (uint32_t)mesh->glow_picks;
     struct gathered light = gatherer_mean(&gatherer);
     indirect_light_mix(&light.light, &light.wall, 1);
     *(struct indirect_light *)payload = light.light;

@@ -29,6 +29,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
         .picks = options->picks,
     };
     mesh->samples = options->samples;
+    mesh->glow_picks = options->glow_picks;
     mesh->gather.wide = 2 / sqrt(fmax(options->samples, 1));
     if (options->bright && options->bright->count > 0)
         mesh->bright = options->bright;

@@ -38,8 +38,9 @@ struct indirect_options {
     const struct bright *bright;    /* where most light comes from; NULL: nobody
                                      * looked */
     const struct virtual_lights *virtual_lights; /* NULL: there are none */
-    int picks;    /* of which a point asks so many */
-    size_t bytes; /* of memory, all bounces together */
+    int picks;      /* of which a point asks so many, */
+    int glow_picks; /* and at least so many places of what glows */
+    size_t bytes;   /* of memory, all bounces together */
     struct bounce_tone tone;
     gather_close *close; /* what lights the last bounce; may be NULL */
     const void *close_context;
@@ -55,6 +56,7 @@ struct indirect_mesh {
     const struct bright *bright; /* as of its options; NULL: none of its rays go
                                   * there */
     int samples, lone_samples;
+    int glow_picks; /* as of its options */
     struct gather_ways ways;
     double edge; /* as of its options */
     struct way_cells cells;

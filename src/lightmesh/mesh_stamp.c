@@ -238,6 +238,7 @@ void mesh_frame_put(const struct mesh_frame *frame,
         f->asked,          f->closed,      f->around.light.r, f->around.light.g,
         f->around.light.b, f->around.open, f->bright.count,   f->bright.radius,
         f->edged,          f->lit.count,   f->lit.radius,     f->picks,
+        f->glow_picks,
     };
     double *to = numbers + FRAME_OWN_NUMBERS;
     memset(numbers, 0, MESH_FRAME_NUMBERS * sizeof *numbers);
@@ -262,6 +263,7 @@ void mesh_frame_take(struct mesh_frame *frame,
         .asked = (int)fmin(fmax(n[12], 0), 1e6),
         .edged = (int)fmin(fmax(n[20], 0), 1e6),
         .picks = (int)fmin(fmax(n[23], 0), VIRTUAL_PICKS_MOST),
+        .glow_picks = (int)fmin(fmax(n[24], 0), VIRTUAL_PICKS_MOST),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
     };

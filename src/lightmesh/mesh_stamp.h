@@ -22,13 +22,14 @@ struct mesh_frame {
     vec3 centre; /* of what is seen */
     double size;
     /* Of the indirect mesh: */
-    double gather; /* spacing */
-    int samples;   /* gather rays of a point; 0: it does nothing here */
-    int asked;     /* the same, had there been time enough */
-    int picks;     /* virtual lights that it asks */
-    int edged;     /* up to so many ways are looked at more closely where two
-                    * differ (way_cells.h) */
-    bool closed;   /* the skeleton ends the bounces, */
+    double gather;  /* spacing */
+    int samples;    /* gather rays of a point; 0: it does nothing here */
+    int asked;      /* the same, had there been time enough */
+    int picks;      /* virtual lights that it asks, */
+    int glow_picks; /* and places of what glows, at least */
+    int edged;      /* up to so many ways are looked at more closely where two
+                     * differ (way_cells.h) */
+    bool closed;    /* the skeleton ends the bounces, */
     struct indirect_share around; /* or this does */
     struct bright lit;            /* whose light virtual lights bring */
     struct bright bright;         /* where some of the rays go */
@@ -36,7 +37,7 @@ struct mesh_frame {
 
 /* All of it as numbers, for files and hashes. */
 enum {
-    FRAME_OWN_NUMBERS = 24,
+    FRAME_OWN_NUMBERS = 25,
     FRAME_DISC_NUMBERS = 9,
     MESH_FRAME_NUMBERS =
         FRAME_OWN_NUMBERS + 2 * FRAME_DISC_NUMBERS * BRIGHT_MOST

@@ -65,6 +65,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .samples = samples,
         .asked = samples,
         .picks = plan_picks(said, survey, times),
+        .glow_picks = plan_glow_picks(said, survey, times),
         .edged = closed ? times * CHAMBER_WAYS : 0,
         .closed = closed,
         .around = survey->around,
@@ -348,6 +349,8 @@ void plan_tell(const struct plan *plan, plan_row *row, void *context)
     row(context, "plan gather rays", plan->indirect.samples, "");
     if (plan->frame.picks > 0)
         row(context, "plan virtual lights", plan->frame.picks, "");
+    if (plan->frame.glow_picks > 0)
+        row(context, "plan rays to what glows", plan->frame.glow_picks, "");
     row(context, "plan gather step", lattice_spacing(indirect, indirect->usual),
         "units");
 }

@@ -53,15 +53,26 @@ int plan_samples(const struct light_mesh_settings *said,
                        finer); /* the nearest */
 }
 
-/* As many virtual lights as make noise that is hardly seen, likewise. */
+/* As many as make noise that is hardly seen, likewise. */
+static int picks_for(const struct light_mesh_settings *said, double rough,
+                     int most, int times)
+{
+    double finer = plan_finer(said), wanted = rays_for(rough, chamber_noise);
+    wanted = fmin(fmax(wanted, PICKS_LEAST), most) * times * finer * finer;
+    return rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_MOST));
+}
+
 int plan_picks(const struct light_mesh_settings *said,
                const struct survey *survey, int times)
 {
-    double finer = plan_finer(said);
-    double wanted = rays_for(survey->picked, chamber_noise);
-    wanted = fmin(fmax(wanted, VIRTUAL_PICKS_LEAST), VIRTUAL_PICKS) * times *
-             finer * finer;
     return survey->lit.count > 0
-               ? rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_MOST))
+               ? picks_for(said, survey->picked, VIRTUAL_PICKS, times)
                : 0;
+}
+
+int plan_glow_picks(const struct light_mesh_settings *said,
+                    const struct survey *survey, int times)
+{
+    return survey->glows > 0 ? picks_for(said, survey->glows, GLOW_PICKS, times)
+                             : 0;
 }

@@ -20,4 +20,8 @@ int plan_samples(const struct light_mesh_settings *said,
 int plan_picks(const struct light_mesh_settings *said,
                const struct survey *survey, int times);
 
+/* And to what glows, where the survey has looked: at least; else 0. */
+int plan_glow_picks(const struct light_mesh_settings *said,
+                    const struct survey *survey, int times);
+
 #endif

@@ -309,6 +309,8 @@ static struct survey sums_tell(struct sums *sums,
     sums_remember(sums, &survey);
     if (survey.open < open_enough) {
         sums->choosing = sums->each / 2;
+        if (options->times > 0)
+            survey.glows = sums_glows(sums, worker);
         sums_light(sums, options, worker, &survey);
         survey.bright = sums_bright(sums);
     } else {

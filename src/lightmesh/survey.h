@@ -19,7 +19,8 @@ struct survey {
                     * aimed at what is bright: root mean square, relative to what
                     * the picture shows */
     double picked; /* the same of what one virtual light brings that a place
-                    * picks */
+                    * picks, */
+    double glows;  /* and of one place of what glows */
     struct bright lit; /* places whose light virtual lights bring; 0: none */
     struct virtual_lights *lights; /* these, the caller's; NULL: none */
     struct bright bright;          /* where most of the rest comes from */

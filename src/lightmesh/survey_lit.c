@@ -40,21 +40,21 @@ static void sums_leave(struct sums *sums, const struct virtual_lights *lights)
     }
 }
 
-/* The variance of what one pick brings to a place that is seen. */
-static double seen_picked(const struct seen *seen, const struct gather *gather,
-                          struct worker *worker, unsigned part)
+/* The variance of what one of SURVEY_PICKS rays brings to a place that is seen,
+ * so many of which met what they were picked for; `times` their densities. */
+static double seen_variance(const struct seen *seen,
+                            const struct gathered_glow *found, unsigned count,
+                            double times)
 {
-    struct gathered_glow found[VIRTUAL_PICKS_MOST];
-    unsigned count = gather_virtual(gather, worker, seen->place, part, found);
     double sum = 0, squares = 0;
     for (unsigned i = 0; i < count; i++) {
         double cosine = fmax(vec3_dot(found[i].direction, seen->side), 0);
         double brought = rgb_brightness(rgb_mul(seen->shows, found[i].light)) *
-                         cosine / (WARP_PI * found[i].density) * gather->picks;
+                         cosine / (WARP_PI * found[i].density * times);
         sum += brought;
         squares += brought * brought;
     }
-    return fmax(squares - sum * sum / gather->picks, 0) / (gather->picks - 1);
+    return fmax(squares - sum * sum / SURVEY_PICKS, 0) / (SURVEY_PICKS - 1);
 }
 
 static double sums_picked(const struct sums *sums,
@@ -62,12 +62,35 @@ static double sums_picked(const struct sums *sums,
                           struct worker *worker)
 {
     struct gather gather = *sums->gather;
+    struct gathered_glow found[VIRTUAL_PICKS_MOST];
     double sum = 0;
     gather.virtual_lights = lights;
     gather.picks = SURVEY_PICKS;
-    for (int i = 0; i < sums->sights; i++)
-        sum += seen_picked(&sums->seen[i], &gather, worker,
-                           (unsigned)i % GATHER_PARTS);
+    for (int i = 0; i < sums->sights; i++) {
+        const struct seen *seen = &sums->seen[i];
+        unsigned count = gather_virtual(&gather, worker, seen->place,
+                                        (unsigned)i % GATHER_PARTS, found);
+        sum += seen_variance(seen, found, count, 1.0 / SURVEY_PICKS);
+    }
+    return sqrt(sum / sums->sights);
+}
+
+double sums_glows(const struct sums *sums, struct worker *worker)
+{
+    struct gathered_glow found[RAY_LANES];
+    struct draws draws[SURVEY_PICKS];
+    double sum = 0;
+    if (!emitters_any(sums->gather->emitters))
+        return 0;
+    for (int i = 0; i < sums->sights; i++) {
+        const struct seen *seen = &sums->seen[i];
+        for (int k = 0; k < SURVEY_PICKS; k++)
+            draws[k] = (struct draws){ sums->gather->lamps->seed,
+                                       (uint32_t)(i * SURVEY_PICKS + k) };
+        unsigned count = gather_pick(sums->gather, worker, seen->place, draws,
+                                     SURVEY_PICKS, found);
+        sum += seen_variance(seen, found, count, 1);
+    }
     return sqrt(sum / sums->sights);
 }
 

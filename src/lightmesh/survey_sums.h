@@ -38,4 +38,7 @@ struct bright_hit *sums_chosen(const struct sums *sums, size_t *count);
 void sums_light(struct sums *sums, const struct survey_options *options,
                 struct worker *worker, struct survey *survey);
 
+/* By how much differs what one ray brings to what glows. */
+double sums_glows(const struct sums *sums, struct worker *worker);
+
 #endif

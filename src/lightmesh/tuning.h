@@ -321,9 +321,10 @@ enum {
     VIRTUAL_RAYS = 8192,    /* and about so many in all, where there is light */
 };
 enum {
-    SURVEY_PICKS = 16,        /* that tell how many a point needs: */
-    VIRTUAL_PICKS_LEAST = 32, /* at least, */
-    VIRTUAL_PICKS = 128,      /* and at most, for one picture */
+    SURVEY_PICKS = 16,   /* that tell how many a point needs: */
+    PICKS_LEAST = 32,    /* at least, */
+    VIRTUAL_PICKS = 128, /* and at most, for one picture; */
+    GLOW_PICKS = 64,     /* to what glows so many */
 };
 static const double virtual_worth = 0.05; /* share of all light, to be worth any
                                            */
