@@ -289,6 +289,8 @@ int virtual_lights_pick(const struct virtual_lights *lights, vec3 place,
 {
     const double at[3] = { place.x, place.y, place.z };
     double give[VIRTUAL_LANES];
+    if (lights->count == 0)
+        return 0;
     double sum = lanes_give(&lights->lanes[part], lights->count, at, give);
     double each = sum / wanted, passed = 0, next = each / 2;
     int count = 0;
