@@ -27,7 +27,7 @@ enum {
 
 /* Those of a part, side by side. */
 struct virtual_lanes {
-    LANE_LINES double place[3][VIRTUAL_LANES];
+    double place[3][VIRTUAL_LANES];
     double normal[3][VIRTUAL_LANES];
     double power[VIRTUAL_LANES]; /* of the strongest colour */
     double near[VIRTUAL_LANES];
