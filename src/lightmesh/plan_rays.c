@@ -22,6 +22,13 @@ int rays_within(double rays)
     return within;
 }
 
+/* In a chamber: of a picture that is one of many, which ask so many `times` as
+ * much, less. */
+static double noise_for(int times)
+{
+    return times > 1 ? chamber_noise_animated : chamber_noise;
+}
+
 /* How many make so much noise of what differs by so much. */
 static double rays_for(double rough, double noise)
 {
@@ -40,7 +47,7 @@ int plan_samples(const struct light_mesh_settings *said,
     double finer = plan_finer(said);
     bool closed = survey->open < open_enough;
     double wanted =
-        rays_for(survey->rough, closed ? chamber_noise : gather_noise);
+        rays_for(survey->rough, closed ? noise_for(times) : gather_noise);
     if (said->indirect.samples > 0)
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
@@ -57,7 +64,7 @@ int plan_samples(const struct light_mesh_settings *said,
 static int picks_for(const struct light_mesh_settings *said, double rough,
                      int most, int times)
 {
-    double finer = plan_finer(said), wanted = rays_for(rough, chamber_noise);
+    double finer = plan_finer(said), wanted = rays_for(rough, noise_for(times));
     wanted = fmin(fmax(wanted, PICKS_LEAST), most) * times * finer * finer;
     return rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_MOST));
 }

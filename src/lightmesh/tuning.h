@@ -336,10 +336,13 @@ static const double virtual_apart = 0.25;  /* from each other, share of how far
 static const double virtual_near = 1.2;    /* of their distance from each other:
                                             * what is nearer gather rays bring */
 
-static const double gather_noise = 0.009;   /* of the picture, */
-static const double chamber_noise = 0.0095; /* and in chambers, where neighbours
-                                             * send other rays [room, kitchen]
-                                             */
+static const double gather_noise = 0.009;  /* of the picture, */
+static const double chamber_noise = 0.012; /* and in chambers, where neighbours
+                                            * send other rays [room, kitchen],
+                                            */
+static const double chamber_noise_animated = 0.0095; /* likewise of each picture
+                                                      * of an animation, were it
+                                                      * alone [flicker] */
 static const double gather_edge = 3;   /* in chambers: see way_cells.h [blocks,
                                         * cornell, flicker] */
 static const double gather_net = 1.43; /* the noise of ways falls by the power
