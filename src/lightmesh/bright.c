@@ -13,9 +13,7 @@
 static int cell_brighter(const void *a, const void *b)
 {
     const struct hit_cell *x = a, *y = b;
-    return x->light < y->light || x->light > y->light
-               ? (x->light < y->light) - (x->light > y->light)
-               : hit_cell_order(a, b);
+    return hit_cell_order(x->light, y->light, x, y);
 }
 
 double bright_beyond(double light, double least)
@@ -54,10 +52,9 @@ struct bright bright_of(const struct bright_hit *hits, size_t count)
 {
     struct bright bright = { .count = 0 };
     struct hit_room room = hit_room_of(hits, count);
-    double size = hit_room_size(&room);
-    if (!(size > 0) || !isfinite(size))
+    double side = hit_room_cell(&room);
+    if (!(side > 0))
         return bright;
-    double side = exp2(floor(log2(size / bright_cells)));
     struct hit_cell *cells = memory_new(count * sizeof *cells);
     size_t joined = hit_cells_join(cells, hits, count, &room, side);
     bright.radius = side * bright_round;

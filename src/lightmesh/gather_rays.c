@@ -13,6 +13,21 @@ void gather_rays_add(struct gather_rays *sent, const struct draws *draws,
     sent->draws[sent->count++] = *draws;
 }
 
+bool gather_rays_may_light(const struct gather_rays *sent, unsigned i)
+{
+    const struct intersection *at = &sent->found[i].at;
+    return at->leaf && texture_takes_light(at->texture);
+}
+
+void gather_rays_want_light(struct gather_rays *sent, unsigned i)
+{
+    const struct intersection *at = &sent->found[i].at;
+    vec3 normal = vec3_against(at->normal, rays_direction(&sent->rays, (int)i));
+    sent->lit.at[i] = (struct lit_place){ at->point, normal, at->leaf };
+    sent->lit.draws[i] = sent->draws[i];
+    sent->lit.lanes |= 1u << i;
+}
+
 /* What lamps give them, if it is more than one that they light, but for what
  * virtual lights bring. */
 static void gather_rays_light(const struct gather *gather,
@@ -23,7 +38,7 @@ static void gather_rays_light(const struct gather *gather,
     unsigned brought = 0;
     for (unsigned i = 0; i < sent->count; i++) {
         const struct intersection *at = &sent->found[i].at;
-        if (!at->leaf || !texture_takes_light(at->texture))
+        if (!gather_rays_may_light(sent, i))
             continue;
         vec3 way = rays_direction(&sent->rays, (int)i);
         left[i] = 1 - gather_virtual_share(gather, at, way);
@@ -32,11 +47,7 @@ static void gather_rays_light(const struct gather *gather,
             brought |= 1u << i;
             continue;
         }
-        lit->at[i] =
-            (struct lit_place){ at->point, vec3_against(at->normal, way),
-                                at->leaf };
-        lit->draws[i] = sent->draws[i];
-        lit->lanes |= 1u << i;
+        gather_rays_want_light(sent, i);
     }
     if (lit->lanes & (lit->lanes - 1)) {
         gather_lamps_many(gather, worker, lit);

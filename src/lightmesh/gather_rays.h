@@ -19,6 +19,11 @@ struct gather_rays {
 void gather_rays_add(struct gather_rays *sent, const struct draws *draws,
                      vec3 place, vec3 way);
 
+/* Whether lamps may light what number `i` met; and that it is to be known of
+ * what they give it, in sent->lit. */
+bool gather_rays_may_light(const struct gather_rays *sent, unsigned i);
+void gather_rays_want_light(struct gather_rays *sent, unsigned i);
+
 /* What they meet first within that distance. */
 void gather_rays_meet(const struct gather *gather, struct worker *worker,
                       double reach, struct gather_rays *sent);

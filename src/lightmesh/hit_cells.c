@@ -17,7 +17,7 @@ struct source {
     int side;
 };
 
-int hit_cell_order(const void *a, const void *b)
+static int cell_place_order(const void *a, const void *b)
 {
     const struct hit_cell *x = a, *y = b;
     for (int axis = 0; axis < 3; axis++)
@@ -28,6 +28,12 @@ int hit_cell_order(const void *a, const void *b)
     if (x->along < y->along || x->along > y->along)
         return x->along < y->along ? -1 : 1;
     return (x->light > y->light) - (x->light < y->light);
+}
+
+int hit_cell_order(double x, double y, const struct hit_cell *a,
+                   const struct hit_cell *b)
+{
+    return x < y || x > y ? (x < y) - (x > y) : cell_place_order(a, b);
 }
 
 vec3 bright_hit_place(const struct bright_hit *hit)
@@ -73,6 +79,13 @@ double hit_room_size(const struct hit_room *room)
     for (int axis = 0; axis < 3; axis++)
         size = fmax(size, room->high[axis] - room->low[axis]);
     return size;
+}
+
+double hit_room_cell(const struct hit_room *room)
+{
+    double size = hit_room_size(room);
+    return size > 0 && isfinite(size) ? exp2(floor(log2(size / bright_cells)))
+                                      : 0;
 }
 
 /* What is met in the chamber, or where the ray leaves it. */
@@ -140,7 +153,7 @@ size_t hit_cells_join(struct hit_cell *cells, const struct bright_hit *hits,
         if (hits[i].lamps > 0)
             cells[i].far = hits[i].lamps * hits[i].distance;
     }
-    qsort(cells, count, sizeof *cells, hit_cell_order);
+    qsort(cells, count, sizeof *cells, cell_place_order);
     for (size_t i = 0; i < count; i++) {
         struct hit_cell *last = &cells[joined - (joined > 0)];
         bool same = joined > 0 && last->at[0] == cells[i].at[0] &&

@@ -28,6 +28,10 @@ struct hit_room {
 struct hit_room hit_room_of(const struct bright_hit *hits, size_t count);
 double hit_room_size(const struct hit_room *room); /* its longest edge */
 
+/* The side of cells of which it is some ten long (tuning.h); 0: it has no size.
+ */
+double hit_room_cell(const struct hit_room *room);
+
 /* The hits in one cell. */
 struct hit_cell {
     int at[3], facing; /* side.h */
@@ -44,8 +48,10 @@ struct hit_cell {
 size_t hit_cells_join(struct hit_cell *cells, const struct bright_hit *hits,
                       size_t count, const struct hit_room *room, double side);
 
-/* For qsort, by place. */
-int hit_cell_order(const void *a, const void *b);
+/* For qsort: a before b if x is more than y, or in the order of places where
+ * they are alike. */
+int hit_cell_order(double x, double y, const struct hit_cell *a,
+                   const struct hit_cell *b);
 
 /* In the plane of what is in the cell. */
 vec3 hit_cell_centre(const struct hit_cell *cell, double side);

@@ -11,9 +11,7 @@
 static int cell_lighter(const void *a, const void *b)
 {
     const struct hit_cell *x = a, *y = b;
-    return x->lamps < y->lamps || x->lamps > y->lamps
-               ? (x->lamps < y->lamps) - (x->lamps > y->lamps)
-               : hit_cell_order(a, b);
+    return hit_cell_order(x->lamps, y->lamps, x, y);
 }
 
 /* Those that bring most; returns their share of all. */
@@ -59,9 +57,8 @@ struct bright lit_cells_of(const struct bright_hit *hits, size_t count)
     struct bright_hit *met = memory_new((count + 1) * sizeof *met);
     size_t n = hits_lit(met, hits, count);
     struct hit_room room = hit_room_of(met, n);
-    double size = hit_room_size(&room), taken = 0;
-    if (n > 0 && size > 0 && isfinite(size)) {
-        double side = exp2(floor(log2(size / bright_cells)));
+    double side = hit_room_cell(&room), taken = 0;
+    if (side > 0) {
         struct hit_cell *cells = memory_new(n * sizeof *cells);
         for (int i = 0; i < LIT_SIDES && taken < lit_taken; i++, side *= 2) {
             size_t joined = hit_cells_join(cells, met, n, NULL, side);

@@ -137,7 +137,7 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
 {
     double brought = 0, changed = 0;
     double ambient = rgb_brightness(sight->ambient);
-    size_t first = (size_t)sums->sights * (size_t)sums->each;
+    size_t first = sums_rays(sums);
     draws.index *= (uint32_t)sums->each;
     for (int i = 0; i < sums->each; i++, draws.index++) {
         struct gathered_ray found;
@@ -264,30 +264,22 @@ static void sums_gather(struct sums *sums, const struct scene *scene,
     }
 }
 
-struct bright_hit *sums_chosen(const struct sums *sums, size_t *count)
+struct bright sums_cells(const struct sums *sums, hits_cells *of)
 {
-    size_t each = (size_t)sums->choosing;
+    size_t each = (size_t)sums->choosing, count = 0;
     struct bright_hit *hits =
         memory_new((size_t)sums->sights * each * sizeof *hits);
-    *count = 0;
-    for (int i = 0; i < sums->sights; i++, *count += each)
-        memcpy(hits + *count, &sums->hits[(size_t)i * (size_t)sums->each],
+    for (int i = 0; i < sums->sights; i++, count += each)
+        memcpy(hits + count, &sums->hits[(size_t)i * (size_t)sums->each],
                each * sizeof *hits);
-    return hits;
-}
-
-static struct bright sums_bright(const struct sums *sums)
-{
-    size_t count;
-    struct bright_hit *hits = sums_chosen(sums, &count);
-    struct bright bright = bright_of(hits, count);
+    struct bright cells = of(hits, count);
     memory_free(hits);
-    return bright;
+    return cells;
 }
 
 static void sums_remember(const struct sums *sums, struct survey *survey)
 {
-    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    size_t rays = sums_rays(sums);
     size_t step = rays / SURVEY_HITS + 1;
     for (size_t i = step / 2; i < rays; i += step)
         if (sums->hits[i].distance < HUGE_VAL)
@@ -312,7 +304,7 @@ static struct survey sums_tell(struct sums *sums,
         if (options->times > 0)
             survey.glows = sums_glows(sums, worker);
         sums_light(sums, options, worker, &survey);
-        survey.bright = sums_bright(sums);
+        survey.bright = sums_cells(sums, bright_of);
     } else {
         known = NULL;
     }

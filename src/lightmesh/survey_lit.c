@@ -1,7 +1,6 @@
 /* What virtual lights bring of what a survey found: see survey_sums.h. */
 #include "lightmesh/survey_sums.h"
 
-#include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/gather_virtual.h"
 #include "lightmesh/gather_ways.h"
@@ -21,7 +20,7 @@ static double hit_sent(const struct bright_hit *hit,
 static double sums_sent(const struct sums *sums,
                         const struct virtual_lights *lights)
 {
-    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    size_t rays = sums_rays(sums);
     double sum = 0;
     for (size_t i = 0; i < rays; i++)
         sum += hit_sent(&sums->hits[i], lights) * sums->hits[i].lamps;
@@ -31,7 +30,7 @@ static double sums_sent(const struct sums *sums,
 /* All but what they bring. */
 static void sums_leave(struct sums *sums, const struct virtual_lights *lights)
 {
-    size_t rays = (size_t)sums->sights * (size_t)sums->each;
+    size_t rays = sums_rays(sums);
     for (size_t i = 0; i < rays; i++) {
         struct bright_hit *hit = &sums->hits[i];
         double sent = hit_sent(hit, lights);
@@ -94,15 +93,6 @@ double sums_glows(const struct sums *sums, struct worker *worker)
     return sqrt(sum / sums->sights);
 }
 
-static struct bright sums_lit_cells(const struct sums *sums)
-{
-    size_t count;
-    struct bright_hit *hits = sums_chosen(sums, &count);
-    struct bright lit = lit_cells_of(hits, count);
-    memory_free(hits);
-    return lit;
-}
-
 /* Those of some cells, and what they bring. */
 struct lit {
     struct bright cells;
@@ -127,7 +117,7 @@ static struct lit sums_lit(const struct sums *sums,
                            const struct survey_options *options,
                            struct worker *worker)
 {
-    const struct bright found = sums_lit_cells(sums);
+    const struct bright found = sums_cells(sums, lit_cells_of);
     struct lit lit = lit_new(sums, &found, options, worker);
     if (!options->known)
         return lit;
@@ -140,7 +130,7 @@ static struct lit sums_lit(const struct sums *sums,
 static double sums_light_all(const struct sums *sums)
 {
     double all = 0;
-    for (size_t i = 0; i < (size_t)sums->sights * (size_t)sums->each; i++)
+    for (size_t i = 0; i < sums_rays(sums); i++)
         all += sums->hits[i].light;
     return all;
 }

@@ -30,8 +30,16 @@ struct sums {
     struct seen *seen;
 };
 
-/* The hits of those which choose; freed with memory_free. */
-struct bright_hit *sums_chosen(const struct sums *sums, size_t *count);
+/* How many there are. */
+static inline size_t sums_rays(const struct sums *sums)
+{
+    return (size_t)sums->sights * (size_t)sums->each;
+}
+
+/* The cells that the hits of those which choose are for, as bright_of or
+ * lit_cells_of tells. */
+typedef struct bright hits_cells(const struct bright_hit *hits, size_t count);
+struct bright sums_cells(const struct sums *sums, hits_cells *of);
 
 /* Virtual lights, if they bring much of all light, into survey->lights and
  * survey->lit; what they bring is left out of the sums. Fog would weaken it. */

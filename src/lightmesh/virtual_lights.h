@@ -1,7 +1,7 @@
-/* What lamps light, as virtual lights (Keller, Instant Radiosity, 1997): the
- * floor before a window, or a street in the sun, is looked at once, by many
- * rays, and mesh points get its light from places of it, each by a shadow ray.
- * There are more of these where they are seen from near by; and a mesh point
+/* What lamps light in a chamber, as virtual lights (Keller, Instant Radiosity,
+ * 1997): the walls around a lamp, or the floor before a window, are looked at
+ * once, by many rays, and mesh points get their light from places of them, each
+ * by a shadow ray. Cells have as many of these as they bring; and a mesh point
  * asks those that would give it most, each as often as it would (resampled
  * importance sampling: Talbot, Cline and Egbert 2005). What is so near to it
  * that these would be seen apart stays with its gather rays, and fades over. */

@@ -44,24 +44,17 @@ static void places_light(const struct sampling *sampling,
 static void sent_light(const struct sampling *sampling,
                        struct gather_rays *sent)
 {
-    struct lit_places *lit = &sent->lit;
-    lit->lanes = 0;
     for (unsigned i = 0; i < sent->count; i++) {
         const struct intersection *at = &sent->found[i].at;
-        if (!at->leaf || !texture_takes_light(at->texture))
+        if (!gather_rays_may_light(sent, i))
             continue;
-        vec3 way = rays_direction(&sent->rays, (int)i);
-        vec3 facing = vec3_against(at->face, way);
-        if (cell_key(at->point, side_of(facing), sampling->side) !=
+        vec3 facing =
+            vec3_against(at->face, rays_direction(&sent->rays, (int)i));
+        if (cell_key(at->point, side_of(facing), sampling->side) ==
             sampling->cell->key)
-            continue;
-        lit->at[i] =
-            (struct lit_place){ at->point, vec3_against(at->normal, way),
-                                at->leaf };
-        lit->draws[i] = sent->draws[i];
-        lit->lanes |= 1u << i;
+            gather_rays_want_light(sent, i);
     }
-    places_light(sampling, lit);
+    places_light(sampling, &sent->lit);
 }
 
 /* What a lit surface sends on. */
