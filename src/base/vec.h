@@ -53,6 +53,12 @@ static inline vec3 vec3_mix(vec3 a, vec3 b, double t)
     return vec3_along(a, vec3_sub(b, a), t);
 }
 
+/* To the last bit. */
+static inline bool vec3_same(vec3 a, vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
 static inline double vec3_dot(vec3 a, vec3 b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -14,35 +14,37 @@ struct asker {
     double behind;            /* how much that of the other side does of it */
 };
 
+/* What it asks of the mesh is put into its receiver: to copy one for each pixel
+ * took longer than to read it. */
 static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                              struct worker *worker,
-                                             const struct asker *asker)
+                                             struct asker *asker)
 {
     const struct indirect_mesh *mesh = known->mesh;
     const struct ambience *ambience = known->ambience;
     rgb ambient = rgb_mul(asker->ambient, ambience->light);
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
-    struct receiver receiver = asker->receiver;
-    bool beyond = known->pixels && !receiver.pixel;
-    receiver.view = known->view;
-    receiver.view.coarser += beyond;
-    receiver.weight = asker->weight * most;
+    struct receiver *receiver = &asker->receiver;
+    bool beyond = known->pixels && !receiver->pixel;
+    receiver->view = known->view;
+    receiver->view.coarser += beyond;
+    receiver->weight = asker->weight * most;
     unsigned long long rays = worker->counters.shadow_rays;
     if ((asker->scatters || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
-          indirect_pixels_light(known->pixels, worker, &receiver, &share)) &&
-        !(beyond && !indirect_mesh_leaves(mesh, &receiver) &&
-          known->worth * receiver.weight < one_point_worth &&
-          indirect_mesh_nearest(mesh, worker, &receiver, vec3_make(0, 0, 0),
+          indirect_pixels_light(known->pixels, worker, receiver, &share)) &&
+        !(beyond && !indirect_mesh_leaves(mesh, receiver) &&
+          known->worth * receiver->weight < one_point_worth &&
+          indirect_mesh_nearest(mesh, worker, receiver, vec3_make(0, 0, 0),
                                 &share)))
-        share = indirect_mesh_light(mesh, worker, &receiver);
+        share = indirect_mesh_light(mesh, worker, receiver);
     if (worker->telling)
         telling_say(worker->telling,
                     "indirect: %.4g %.4g %.4g, %.3g of the ambient light, by "
                     "%s, %llu rays",
                     share.light.r, share.light.g, share.light.b, share.open,
-                    indirect_mesh_source(mesh, &receiver),
+                    indirect_mesh_source(mesh, receiver),
                     worker->counters.shadow_rays - rays);
     if (ambience->everywhere)
         share.open = 1;
@@ -54,13 +56,13 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
  * on the side that is seen. */
 static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
                                         struct worker *worker,
-                                        const struct asker *asker)
+                                        struct asker *asker)
 {
     struct diffuse_light light = mesh_answer_side(known, worker, asker);
-    struct asker other = *asker;
-    struct receiver *receiver = &other.receiver;
     if (!(asker->behind > 0) || !asker->scatters)
         return light;
+    struct asker other = *asker;
+    struct receiver *receiver = &other.receiver;
     receiver->side = vec3_negate(receiver->side);
     receiver->normal = vec3_negate(receiver->normal);
     receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
@@ -76,7 +78,7 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
                                   const struct surface *surface)
 {
     const struct surface_layer *layer = &surface->layer[0];
-    const struct asker asker = {
+    struct asker asker = {
         .receiver = {
             .point = surface->point,
             .side = surface->side,
@@ -98,7 +100,7 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
                                         const struct facets *facets, unsigned i)
 {
     vec3 point = lane_get(facets->point, i);
-    const struct asker asker = {
+    struct asker asker = {
         .receiver = {
             .point = point,
             .side = facets_side(facets, i),

@@ -149,6 +149,14 @@ static bool clipping_alone(struct clipping *clipping, int missing)
     return true;
 }
 
+/* Square of the longest way through it. */
+static double clipping_diagonal2(const struct clipping *clipping)
+{
+    const vec3 *along = clipping->along;
+    double fold = 2 * fabs(vec3_dot(along[0], along[1]));
+    return vec3_dot(along[0], along[0]) + vec3_dot(along[1], along[1]) + fold;
+}
+
 static bool clipping_sides(struct clipping *clipping)
 {
     const bool *has = clipping->has;
@@ -175,13 +183,14 @@ static bool cell_clip(struct clipping *clipping)
 {
     struct corner_cell *cell = clipping->cell;
     const bool *has = clipping->has;
-    cell->clipped = clipping->count < GRID_CORNERS;
-    if (!cell->clipped)
-        return true;
     for (int axis = 0; axis < 2; axis++)
         clipping->along[axis] =
             grid_cell_along(&cell->name, cell->plane.side, axis,
                             clipping->store->grid->step[cell->name.level]);
+    cell->reaches = clipping_diagonal2(clipping) <= cell->reach2;
+    cell->clipped = clipping->count < GRID_CORNERS;
+    if (!cell->clipped)
+        return true;
     switch (clipping->count) {
     case 1:
         return clipping_sides(clipping) &&
@@ -274,6 +283,18 @@ static bool clipped_weights(const struct corner_cell *cell,
     return true;
 }
 
+static bool cell_is_far(const struct corner_cell *cell, vec3 point)
+{
+    for (int i = 0; i < GRID_CORNERS; i++) {
+        if (cell->place[i].like >= 0)
+            continue;
+        vec3 between = vec3_sub(point, cell->place[i].corner.point);
+        if (vec3_dot(between, between) > cell->reach2)
+            return true;
+    }
+    return false;
+}
+
 enum corner_hold corner_cell_holds(const struct corner_store *store,
                                    struct worker *worker,
                                    struct corner_cell *cell,
@@ -282,13 +303,8 @@ enum corner_hold corner_cell_holds(const struct corner_store *store,
 {
     if (cell_bends(store, worker, cell, receiver))
         return CELL_BENT;
-    for (int i = 0; i < GRID_CORNERS; i++) {
-        if (cell->place[i].like >= 0)
-            continue;
-        vec3 between = vec3_sub(receiver->point, cell->place[i].corner.point);
-        if (vec3_dot(between, between) > cell->reach2)
-            return CELL_FAR;
-    }
+    if (!cell->reaches && cell_is_far(cell, receiver->point))
+        return CELL_FAR;
     if (!cell->clipped)
         return CELL_HOLDS;
     return clipped_weights(cell, weight) ? CELL_CLIPPED : CELL_BENT;

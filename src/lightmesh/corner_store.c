@@ -11,6 +11,7 @@
 enum { CELLS_ACROSS = 8, CELLS_DOWN = 4, CELL_LEVELS = 4 };
 
 struct cells {
+    struct corner_cell *last[CELL_LEVELS];
     struct corner_cell at[CELL_LEVELS][CELLS_DOWN][CELLS_ACROSS];
 };
 
@@ -60,10 +61,11 @@ struct corner_cell *corner_store_cell(const struct corner_store *store,
 {
     struct corner_cell *cell = own;
     if (worker->number < store->threads) {
+        struct cells *cells = &store->cells[worker->number];
         unsigned column = (unsigned)name->at[0] % CELLS_ACROSS;
         unsigned row = (unsigned)name->at[1] % CELLS_DOWN;
         unsigned level = (unsigned)name->level % CELL_LEVELS;
-        cell = &store->cells[worker->number].at[level][row][column];
+        cells->last[level] = cell = &cells->at[level][row][column];
         if (cell->used && cell->coarser == coarser &&
             grid_cells_same(&cell->name, name))
             return cell;
@@ -71,6 +73,16 @@ struct corner_cell *corner_store_cell(const struct corner_store *store,
     *cell =
         (struct corner_cell){ .name = *name, .coarser = coarser, .used = true };
     return cell;
+}
+
+struct corner_cell *corner_store_last(const struct corner_store *store,
+                                      const struct worker *worker, int level)
+{
+    if (worker->number >= store->threads)
+        return NULL;
+    struct corner_cell *cell =
+        store->cells[worker->number].last[(unsigned)level % CELL_LEVELS];
+    return cell && cell->name.level == level ? cell : NULL;
 }
 
 /* Whether the camera sees the corner, from so little above it: else it may be

@@ -44,22 +44,23 @@ struct corner_cell {
     int coarser; /* as they are asked (point_mesh_worth) */
     bool used;
     signed char clear; /* corner_store_clear: -1 no, 1 yes, 0 not asked yet */
-    const struct corner *corner[GRID_CORNERS]; /* NULL: not asked yet, or not
-                                                * kept */
-    const struct corner_light *light[GRID_CORNERS]; /* likewise */
     /* Whether it is flat (corner_cell_holds): -1 no, 1 yes, 0 not asked yet; if
      * so where it is, and, once known, what is said there. */
     signed char flat;
     bool clipped; /* not all are the grid's own corners: */
+    bool reaches; /* all may serve wherever it is */
     bool told;
+    struct corner plane; /* a corner that is on it */
+    double thick;        /* how far from the plane a place is on it, units */
+    double differ;       /* by how much, of the largest of them */
+    struct indirect_share share[GRID_CORNERS];
+    double reach2; /* square of how far all corners may serve */
     struct cell_place place[GRID_CORNERS];
     double end[2][2][2]; /* along both axes, in the first row and the second,
                           * where it begins and ends, steps */
-    struct corner plane; /* a corner that is on it */
-    double thick;        /* how far from the plane a place is on it, units */
-    double reach2;       /* square of how far all corners may serve */
-    struct indirect_share share[GRID_CORNERS];
-    double differ; /* by how much, of the largest of them */
+    const struct corner *corner[GRID_CORNERS]; /* NULL: not asked yet, or not
+                                                * kept */
+    const struct corner_light *light[GRID_CORNERS]; /* likewise */
 };
 
 /* The cell of that name: the worker keeps the last that it came by, as
@@ -68,6 +69,10 @@ struct corner_cell *corner_store_cell(const struct corner_store *store,
                                       const struct worker *worker,
                                       const struct grid_cell *name, int coarser,
                                       struct corner_cell *own);
+
+/* The one of that level that the worker came by last, or NULL. */
+struct corner_cell *corner_store_last(const struct corner_store *store,
+                                      const struct worker *worker, int level);
 
 /* Corner `i`, for receivers that are seen as this one is: not `met` if no
  * surface is there that the camera sees. */

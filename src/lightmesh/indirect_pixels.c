@@ -1,10 +1,8 @@
 /* Indirect light between corners of surfaces: see indirect_pixels.h. */
 #include "lightmesh/indirect_pixels.h"
 
-#include <string.h>
-
 #include "base/memory.h"
-#include "lightmesh/corner_cell.h"
+#include "lightmesh/corners.h"
 #include "lightmesh/lone_places.h"
 #include "lightmesh/pixel_answers.h"
 #include "lightmesh/pixel_blocks.h"
@@ -55,186 +53,20 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 /* Who asks. */
 struct asking {
     const struct indirect_pixels *pixels;
-    struct worker *worker;
-    const struct receiver *receiver;
+    struct corners_asker who;
     int level;    /* of corners, */
     double blend; /* and how much of those twice as far apart is blended in */
 };
-
-/* The corners around a place that serve it, with their weights. */
-struct corners {
-    struct grid_cell name;
-    double weight[GRID_CORNERS];   /* of those of a cell that holds */
-    struct corner_cell *cell, own; /* own: where the worker keeps none; NULL:
-                                    * there is none */
-    enum corner_hold hold;
-    int count;
-    bool missing; /* another is on another surface */
-    double sum;
-    struct {
-        int number; /* in the cell */
-        double weight;
-        const struct corner *corner;
-        const struct corner_light *light;
-    } at[GRID_CORNERS];
-};
-
-/* Bumps take what comes from their own sides. */
-static bool receiver_is_bumpy(const struct receiver *receiver)
-{
-    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
-}
-
-/* Finds the cell around a place on a level. Most pixels are on one plane with
- * all corners of their cell, which then says at once by how much they differ.
- */
-static void corners_begin(struct corners *corners, const struct asking *ask,
-                          int level)
-{
-    const struct indirect_pixels *pixels = ask->pixels;
-    struct grid_cell *name = &corners->name;
-    corners->cell = NULL;
-    corners->hold = CELL_BENT;
-    if (!surface_grid_cell(&pixels->grid, ask->receiver, level, name))
-        return;
-    corners->cell = corner_store_cell(pixels->store, ask->worker, name,
-                                      point_mesh_worth(ask->receiver->weight),
-                                      &corners->own);
-    if (receiver_is_bumpy(ask->receiver))
-        return;
-    memcpy(corners->weight, name->weight, sizeof corners->weight);
-    corners->hold = corner_cell_holds(pixels->store, ask->worker, corners->cell,
-                                      ask->receiver, corners->weight);
-    if (corners->hold >= CELL_HOLDS)
-        corner_cell_ask(pixels->store, ask->worker, corners->cell,
-                        ask->receiver);
-}
-
-/* What they know isn't asked yet. Leaves off at the first that is on another
- * surface if only all of them are wanted. */
-static void corners_find(struct corners *corners, const struct asking *ask,
-                         bool all)
-{
-    const struct grid_cell *name = &corners->name;
-    corners->count = 0;
-    corners->sum = 0;
-    corners->missing = !corners->cell;
-    if (corners->missing)
-        return;
-    for (int i = 0; i < GRID_CORNERS && !(all && corners->missing); i++) {
-        if (name->weight[i] < indirect_pixels_least)
-            continue;
-        const struct corner *corner = corner_store_corner(
-            ask->pixels->store, ask->worker, corners->cell, i, ask->receiver);
-        if (!corner_serves(corner, ask->receiver)) {
-            corners->missing = true;
-            continue;
-        }
-        corners->sum += name->weight[i];
-        corners->at[corners->count].number = i;
-        corners->at[corners->count].weight = name->weight[i];
-        corners->at[corners->count++].corner = corner;
-    }
-}
-
-static void corners_ask(struct corners *corners, const struct asking *ask)
-{
-    for (int i = 0; i < corners->count; i++)
-        corners->at[i].light =
-            corner_store_light(ask->pixels->store, ask->worker, corners->cell,
-                               corners->at[i].number, ask->receiver);
-}
-
-/* By how much; cells remember it for all of theirs. */
-static double corners_differ(const struct corners *corners,
-                             const struct asking *ask)
-{
-    const struct indirect_share *shares[GRID_CORNERS];
-    if (corners->count == GRID_CORNERS && corners->hold != CELL_CLIPPED) {
-        corner_cell_ask(ask->pixels->store, ask->worker, corners->cell,
-                        ask->receiver);
-        return corners->cell->differ;
-    }
-    for (int i = 0; i < corners->count; i++)
-        shares[i] = &corners->at[i].light->share;
-    return corners->count == 0 ? 0 : shares_differ(shares, corners->count);
-}
-
-/* Leaves out what can't be seen from the place, where it matters: where corners
- * differ much something may stand between, or on one; where another surface is
- * near, a wall may stand between all corners and the place. */
-static void corners_look(struct corners *corners, const struct asking *ask)
-{
-    int count = corners->count;
-    bool alike = corners_differ(corners, ask) <= indirect_pixels_even;
-    if (corners->missing
-            ? alike && count > 2
-            : alike || corner_cell_clear(ask->pixels->store, ask->worker,
-                                         corners->cell, ask->receiver))
-        return;
-    corners->count = 0;
-    corners->sum = 0;
-    for (int i = 0; i < count; i++) {
-        if (!corner_sees(corners->at[i].corner, ask->pixels->mesh, ask->worker,
-                         ask->receiver))
-            continue;
-        corners->sum += corners->at[i].weight;
-        corners->at[corners->count++] = corners->at[i];
-    }
-}
-
-/* Irradiance is interpolated as it is, between corners whose normals follow
- * the surface. */
-static struct indirect_share corners_smooth(const struct corners *corners)
-{
-    struct indirect_share share = { rgb_grey(0), 0 };
-    for (int i = 0; i < corners->count; i++) {
-        const struct indirect_share *known = &corners->at[i].light->share;
-        double weight = corners->at[i].weight / corners->sum;
-        share.light = rgb_add_scaled(share.light, known->light, weight);
-        share.open += weight * known->open;
-    }
-    return share;
-}
-
-static struct indirect_share corners_bumpy(const struct corners *corners,
-                                           const struct receiver *receiver)
-{
-    struct indirect_light light = indirect_light_none;
-    for (int i = 0; i < corners->count; i++)
-        indirect_light_mix(&light, &corners->at[i].light->light,
-                           (float)(corners->at[i].weight / corners->sum));
-    return indirect_light_bumped(&light, receiver->side, receiver->normal);
-}
-
-static struct indirect_share corners_light(const struct corners *corners,
-                                           const struct asking *ask)
-{
-    return receiver_is_bumpy(ask->receiver)
-               ? corners_bumpy(corners, ask->receiver)
-               : corners_smooth(corners);
-}
-
-static struct indirect_share corners_flat_share(const struct corners *corners)
-{
-    const struct corner_cell *cell = corners->cell;
-    struct indirect_share share = { rgb_grey(0), 0 };
-    for (int i = 0; i < GRID_CORNERS; i++) {
-        double weight = corners->weight[i];
-        share.light = rgb_add_scaled(share.light, cell->share[i].light, weight);
-        share.open += weight * cell->share[i].open;
-    }
-    return share;
-}
 
 /* Where the grid's corners are on other surfaces: pixels of a block share, or
  * else rays of a pixel. */
 static bool lone_light(const struct asking *ask, struct indirect_share *share)
 {
     const struct indirect_pixels *pixels = ask->pixels;
-    return pixel_blocks_light(pixels->blocks, ask->worker, ask->receiver,
-                              share) ||
-           lone_places_light(pixels->lone, ask->worker, ask->receiver, share);
+    return pixel_blocks_light(pixels->blocks, ask->who.worker,
+                              ask->who.receiver, share) ||
+           lone_places_light(pixels->lone, ask->who.worker, ask->who.receiver,
+                             share);
 }
 
 static void share_blend(struct indirect_share *share,
@@ -248,16 +80,16 @@ static void share_blend(struct indirect_share *share,
 static bool corners_blend(struct corners at[2], const struct asking *ask,
                           struct indirect_share *share)
 {
-    corners_look(&at[0], ask);
+    corners_look(&at[0], &ask->who);
     if (at[0].sum < indirect_pixels_enough)
         return false;
-    *share = corners_light(&at[0], ask);
+    *share = corners_light(&at[0], &ask->who);
     if (ask->blend <= 0 || at[1].missing)
         return true;
-    corners_look(&at[1], ask);
+    corners_look(&at[1], &ask->who);
     if (at[1].sum < indirect_pixels_enough)
         return true;
-    struct indirect_share coarse = corners_light(&at[1], ask);
+    struct indirect_share coarse = corners_light(&at[1], &ask->who);
     share_blend(share, &coarse, ask->blend);
     return true;
 }
@@ -276,13 +108,13 @@ static double coarse_light(struct corners *corners, const struct asking *ask,
         return enough;
     }
     if (corners->hold == CELL_BENT)
-        corners_find(corners, ask, true);
+        corners_find(corners, &ask->who, true);
     if (corners->missing)
         return 0;
-    corners_ask(corners, ask);
-    enough = shares_evenness(corners_differ(corners, ask));
+    corners_ask(corners, &ask->who);
+    enough = shares_evenness(corners_differ(corners, &ask->who));
     if (enough > 0)
-        *share = corners_light(corners, ask);
+        *share = corners_light(corners, &ask->who);
     return enough;
 }
 
@@ -293,7 +125,7 @@ static void coarse_blend(const struct asking *ask, struct indirect_share *share)
     struct corners coarser;
     if (ask->blend <= 0)
         return;
-    corners_begin(&coarser, ask, ask->level + 2);
+    corners_begin(&coarser, &ask->who, ask->level + 2);
     if (coarser.hold != CELL_HOLDS)
         return;
     const struct indirect_share more = corners_flat_share(&coarser);
@@ -326,13 +158,13 @@ static bool cells_light(const struct corners at[2], double blend,
 static bool clipped_light(const struct corners at[2], const struct asking *ask,
                           struct indirect_share *share)
 {
-    if (!corner_cell_whole(ask->pixels->store, ask->worker, at[0].cell,
-                           ask->receiver))
+    if (!corner_cell_whole(ask->who.store, ask->who.worker, at[0].cell,
+                           ask->who.receiver))
         return false;
     *share = corners_flat_share(&at[0]);
     if (ask->blend > 0 && at[1].hold >= CELL_HOLDS &&
-        corner_cell_whole(ask->pixels->store, ask->worker, at[1].cell,
-                          ask->receiver)) {
+        corner_cell_whole(ask->who.store, ask->who.worker, at[1].cell,
+                          ask->who.receiver)) {
         const struct indirect_share coarse = corners_flat_share(&at[1]);
         share_blend(share, &coarse, ask->blend);
     }
@@ -343,18 +175,18 @@ static bool clipped_light(const struct corners at[2], const struct asking *ask,
 static bool fine_light(struct corners at[2], const struct asking *ask,
                        struct indirect_share *share)
 {
-    corners_begin(&at[0], ask, ask->level);
+    corners_begin(&at[0], &ask->who, ask->level);
     if (at[0].hold == CELL_CLIPPED ? clipped_light(at, ask, share)
                                    : cells_light(at, ask->blend, share))
         return true;
-    corners_find(&at[0], ask, false);
+    corners_find(&at[0], &ask->who, false);
     if (at[0].sum < indirect_pixels_enough)
         return lone_light(ask, share);
     if (at[1].hold == CELL_HOLDS) {
-        corners_find(&at[1], ask, true);
-        corners_ask(&at[1], ask);
+        corners_find(&at[1], &ask->who, true);
+        corners_ask(&at[1], &ask->who);
     }
-    corners_ask(&at[0], ask);
+    corners_ask(&at[0], &ask->who);
     return corners_blend(at, ask, share) || lone_light(ask, share);
 }
 
@@ -362,7 +194,7 @@ static bool grid_light(const struct asking *ask, struct indirect_share *share)
 {
     struct corners at[2];
     struct indirect_share coarse;
-    corners_begin(&at[1], ask, ask->level + 1);
+    corners_begin(&at[1], &ask->who, ask->level + 1);
     double enough = coarse_light(&at[1], ask, &coarse);
     if (enough > 0 && at[1].hold == CELL_HOLDS)
         coarse_blend(ask, &coarse);
@@ -381,8 +213,7 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct indirect_share *share)
 {
     struct asking ask = { .pixels = pixels,
-                          .worker = worker,
-                          .receiver = receiver };
+                          .who = { pixels->store, worker, receiver } };
     if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
     if (pixel_answers_find(pixels->answers, worker, receiver, share))

@@ -62,14 +62,22 @@ static int main_axis(const double side[3])
     return fabs(side[2]) > fabs(side[axis]) ? 2 : axis;
 }
 
-/* Where it is on a level, in steps. */
-static void grid_place(const struct surface_grid *grid, vec3 point, int level,
-                       double at[3])
+/* Where it is on a level along an axis, in steps. */
+static double grid_place(const struct surface_grid *grid, vec3 point, int level,
+                         int axis)
 {
-    double within = grid->within[level];
-    at[0] = (point.x - grid->origin.x) * within + grid_shift[0];
-    at[1] = (point.y - grid->origin.y) * within + grid_shift[1];
-    at[2] = (point.z - grid->origin.z) * within + grid_shift[2];
+    const double from[3] = { grid->origin.x, grid->origin.y, grid->origin.z },
+                 at[3] = { point.x, point.y, point.z };
+    return (at[axis] - from[axis]) * grid->within[level] + grid_shift[axis];
+}
+
+/* Bilinear. */
+static void cell_weights(double x, double y, double weight[GRID_CORNERS])
+{
+    weight[0] = (1 - x) * (1 - y);
+    weight[1] = x * (1 - y);
+    weight[2] = (1 - x) * y;
+    weight[3] = x * y;
 }
 
 /* As floor, of what an int holds. */
@@ -81,14 +89,15 @@ static inline int floor_of(double x)
 
 bool surface_grid_cell(const struct surface_grid *grid,
                        const struct receiver *receiver, int level,
-                       struct grid_cell *cell)
+                       struct grid_cell *cell, double weight[GRID_CORNERS])
 {
     double at[3];
     const double side[3] = { receiver->side.x, receiver->side.y,
                              receiver->side.z };
     if (level >= GRID_LEVELS)
         return false;
-    grid_place(grid, receiver->point, level, at);
+    for (int i = 0; i < 3; i++)
+        at[i] = grid_place(grid, receiver->point, level, i);
     if (!(fabs(at[0]) < GRID_RIM && fabs(at[1]) < GRID_RIM &&
           fabs(at[2]) < GRID_RIM))
         return false;
@@ -106,10 +115,21 @@ bool surface_grid_cell(const struct surface_grid *grid,
     cell->slab[1] = floor_of(rise + slope);
     cell->slab[2] = floor_of(rise + fall);
     cell->slab[3] = floor_of(rise + slope + fall);
-    cell->weight[0] = (1 - x) * (1 - y);
-    cell->weight[1] = x * (1 - y);
-    cell->weight[2] = (1 - x) * y;
-    cell->weight[3] = x * y;
+    cell->side = receiver->side;
+    cell_weights(x, y, weight);
+    return true;
+}
+
+bool surface_grid_within(const struct surface_grid *grid,
+                         const struct grid_cell *cell, vec3 point,
+                         double weight[GRID_CORNERS])
+{
+    int across = after[cell->axis], down = after[across];
+    double x = grid_place(grid, point, cell->level, across) - cell->at[0];
+    double y = grid_place(grid, point, cell->level, down) - cell->at[1];
+    if (!(x >= 0 && x < 1 && y >= 0 && y < 1))
+        return false;
+    cell_weights(x, y, weight);
     return true;
 }
 

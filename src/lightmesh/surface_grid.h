@@ -43,14 +43,21 @@ struct grid_cell {
     bool down; /* its surface faces the axis' negative end */
     int at[2]; /* of the first, along the axes after that axis; others are one
                 * further along the first, the second and both */
-    int slab[GRID_CORNERS];      /* cells along the axis */
-    double weight[GRID_CORNERS]; /* they sum to 1 */
+    int slab[GRID_CORNERS]; /* cells along the axis */
+    vec3 side;              /* what it faces */
 };
 
-/* False: that far from the origin there are no names. */
+/* And what each of them counts there; they sum to 1. False: that far from the
+ * origin there are no names. */
 bool surface_grid_cell(const struct surface_grid *grid,
                        const struct receiver *receiver, int level,
-                       struct grid_cell *cell);
+                       struct grid_cell *cell, double weight[GRID_CORNERS]);
+
+/* Whether that is the cell of another place on the same plane, which faces what
+ * the cell does: if so what corners count there. */
+bool surface_grid_within(const struct surface_grid *grid,
+                         const struct grid_cell *cell, vec3 point,
+                         double weight[GRID_CORNERS]);
 
 /* Whether they have the same corners. */
 bool grid_cells_same(const struct grid_cell *a, const struct grid_cell *b);
