@@ -8,8 +8,11 @@
 #include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/facet_mesh.h"
+#include "lightmesh/gather_paint.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
+#include "scene/material.h"
+#include "shade/finish.h"
 #include "shade/shadow.h"
 
 enum { TALLIES = 2 + BOUNCES_MAX, GATHERED = 2 };
@@ -65,6 +68,60 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
         point_mesh_want(&census->direct->points, &receiver, &tally->wanted[0]);
 }
 
+/* One place more, of which so much is seen in a mirror or through glass (who
+ * asks there: lighting/mesh_diffuse.c). Returns whether there is one. */
+static bool tally_met(struct tally *tally, const struct ray *ray, double share,
+                      struct intersection *at)
+{
+    const struct census *census = tally->census;
+    const struct indirect_mesh *mesh = census->indirect;
+    if (!world_closest(mesh->points.world, ray, surface_offset(ray->origin),
+                       RAY_REFLECTION, at))
+        return false;
+    struct receiver receiver = receiver_at(ray, at, census->indirect_view);
+    receiver.view.coarser++;
+    receiver.weight = share;
+    point_mesh_want(&mesh->points, &receiver, &tally->wanted[2]);
+    return true;
+}
+
+static void tally_mirrors(struct tally *tally, const struct ray *ray,
+                          const struct surface *surface)
+{
+    for (int i = 0; i < surface->count; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        double share = rgb_peak(rgb_mul(layer->weight, layer->reflection));
+        double along = vec3_dot(ray->direction, layer->normal);
+        struct intersection at;
+        struct ray mirrored = { surface->point,
+                                vec3_along(ray->direction, layer->normal,
+                                           -2 * along) };
+        if (share >= gather_least)
+            tally_met(tally, &mirrored, share, &at);
+    }
+}
+
+/* What is seen in mirrors, and straight through what isn't opaque. */
+static void tally_beyond(struct tally *tally, const struct ray *ray,
+                         struct intersection *at)
+{
+    const struct gather *gather = &tally->census->indirect->gather;
+    struct ray way = *ray;
+    double share = 1;
+    for (int i = 0; i < CENSUS_PANES && (texture_mirrors(at->texture) ||
+                                         !texture_is_opaque(at->texture));
+         i++) {
+        struct surface surface;
+        gather_surface(gather, &way, at, &surface);
+        if (i == 0)
+            tally_mirrors(tally, &way, &surface);
+        share *= rgb_peak(surface_passed(&surface));
+        way.origin = at->point;
+        if (share < gather_least || !tally_met(tally, &way, share, at))
+            return;
+    }
+}
+
 static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
 {
     const struct census *census = tally->census;
@@ -84,6 +141,8 @@ static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
         return;
     receiver.view = census->indirect_view;
     point_mesh_want(&census->indirect->points, &receiver, &tally->wanted[2]);
+    if (tally->seen)
+        tally_beyond(tally, &ray, &at);
     for (uint64_t i = 0; i < GATHERED && !tally->seen; i++)
         tally_gather(tally, &receiver, census->indirect, 1, GATHERED * key + i);
 }

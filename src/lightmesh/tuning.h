@@ -68,6 +68,7 @@ enum {
     CENSUS_EDGE = 16,      /* rays along the edge of the first count, */
     CENSUS_SEEN_EDGE = 48, /* where only what is seen is counted */
     CENSUS_FINE_EDGE = 64, /* and if that can't tell */
+    CENSUS_PANES = 4,      /* looked through, one behind the other */
 };
 static const double census_far = 150;   /* times as many: too far to tell */
 static const double census_sure = 0.25; /* less of the room taken: sure */
