@@ -65,17 +65,38 @@ static void mesh_report_on(struct mesh_lighting *mesh)
     }
 }
 
-/* Gathers more where rays that go on by chance have to end the bounces. */
-static void mesh_see(struct mesh_lighting *mesh,
-                     const struct light_mesh_settings *said,
+/* What is half open is planned as what is open. */
+static void mesh_open(struct mesh_lighting *mesh, const struct scene *scene,
+                      const struct outlook *outlook,
+                      const struct lighting_options *options)
+{
+    struct survey *survey = &mesh->survey;
+    survey->closed = false;
+    survey->lit.count = survey->bright.count = 0;
+    virtual_lights_free(mesh->virtual_lights);
+    mesh->virtual_lights = NULL;
+    void_skeleton_free(&mesh->close);
+    mesh->close = (struct void_skeleton){ NULL, NULL };
+    mesh->stamp.frame = plan_frame(scene, outlook, survey, options->root, 0);
+}
+
+/* Where the skeleton doesn't know the light a chamber gathers more, for rays
+ * that go on by chance have to end the bounces. */
+static void mesh_see(struct mesh_lighting *mesh, const struct scene *scene,
+                     const struct outlook *outlook,
                      const struct lighting_options *options)
 {
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct mesh_frame *frame = &mesh->stamp.frame;
     struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
-    if (frame->closed && frame->samples > 0 && said->indirect.samples == 0 &&
-        !mesh_close_knows(&mesh->close, &mesh->survey, &worker))
-        frame->samples = (int)fmax(frame->samples, CHAMBER_BLIND);
+    bool knows = !frame->closed || frame->samples == 0 ||
+                 said->indirect.samples > 0 ||
+                 mesh_close_knows(&mesh->close, &mesh->survey, &worker);
     arena_free(worker.scratch);
+    if (!knows && mesh->survey.open >= open_enough)
+        mesh_open(mesh, scene, outlook, options);
+    else if (!knows)
+        frame->samples = (int)fmax(frame->samples, CHAMBER_BLIND);
 }
 
 /* What is known already, and meshes for the rest. */
@@ -104,7 +125,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     const struct skeleton *closing = mesh->close.skeleton;
     mesh->ambience.everywhere |= closing && closing->ambience.everywhere;
     if (done && !known.found)
-        mesh_see(mesh, said, options);
+        mesh_see(mesh, scene, outlook, options);
     if (done && known.found)
         mesh_make(mesh, scene, interpolation);
     else if (done)
@@ -122,7 +143,8 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct lighting_options *options)
 {
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
-    const struct survey known = { .lit = mesh->root.lit,
+    const struct survey known = { .closed = mesh->root.closed,
+                                  .lit = mesh->root.lit,
                                   .bright = mesh->root.bright };
     mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
     mesh->stamp.frame =

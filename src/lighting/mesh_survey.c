@@ -19,16 +19,18 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
         .tone = scene->settings.light_mesh.indirect.tone,
     };
     struct worker worker = { .stop = options->stop, .scratch = arena_new(0) };
-    struct survey_options look = { .rays = SURVEY_RAYS };
+    struct survey_options look = { .rays = SURVEY_RAYS, .known = known };
     struct survey survey = { .open = 1 };
     if (options->numbers)
         survey = survey_none();
     else if (scene->settings.light_mesh.indirect.on)
         survey = survey_of(&gather, scene, &worker, &look);
-    /* Where one bounce brings next to nothing more may: round two corners. */
-    gather.onward = survey.open < 1 && survey.worth < gather_worth_none;
-    bool chamber = survey.open < open_enough && !options->numbers;
-    if (chamber) {
+    /* Where one bounce brings next to nothing more may: round two corners; and
+     * what glows lights what rays meet in no other way. */
+    gather.onward =
+        survey.open < 1 && (survey.worth < gather_worth_none ||
+                            (!survey.closed && emitters_any(mesh->emitters)));
+    if (survey.closed && !options->numbers) {
         look = (struct survey_options){ .rays = CHAMBER_RAYS,
                                         .known = known,
                                         .times = virtual_times(options) };
@@ -40,6 +42,7 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
             survey = survey_of(&gather, scene, &worker, &look);
         }
     } else if (gather.onward) {
+        look.times = virtual_times(options);
         survey = survey_of(&gather, scene, &worker, &look);
     }
     arena_free(worker.scratch);

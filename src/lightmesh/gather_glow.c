@@ -17,6 +17,15 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
     return rgb_add_scaled(found->light, found->glow, -twice);
 }
 
+rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
+                    const struct gathered_ray *found)
+{
+    bool picked = emitters_any(gather->emitters) && rgb_peak(found->glow) > 0 &&
+                  emitters_density(gather->emitters, ray->origin,
+                                   ray->direction, &found->at) > 0;
+    return picked ? rgb_sub(found->light, found->glow) : found->light;
+}
+
 /* Whether what the ray met is what was picked, and glows there. */
 static bool pick_is_met(const struct gather *gather, const struct ray *ray,
                         const struct emitter_pick *pick,

@@ -11,6 +11,10 @@
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
                     double density, const struct gathered_ray *found);
 
+/* The same without the glow of what gather_pick finds: it is no surprise. */
+rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
+                    const struct gathered_ray *found);
+
 /* A place that glows. */
 struct gathered_glow {
     vec3 direction;

@@ -44,8 +44,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
                              int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    bool closed = survey->open < open_enough;
-    int times = closed && animated ? CHAMBER_ANIMATED : 1;
+    int times = survey->closed && animated ? CHAMBER_ANIMATED : 1;
     int samples = plan_samples(said, survey, times);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
@@ -66,8 +65,8 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .asked = samples,
         .picks = plan_picks(said, survey, times),
         .glow_picks = plan_glow_picks(said, survey, times),
-        .edged = closed ? times * CHAMBER_WAYS : 0,
-        .closed = closed,
+        .edged = survey->closed ? times * CHAMBER_WAYS : 0,
+        .closed = survey->closed,
         .around = survey->around,
         .lit = survey->lit,
         .bright = survey->bright,
@@ -124,16 +123,16 @@ static double plan_rough(const struct survey *survey)
 static double plan_rays(const struct light_mesh_settings *said,
                         const struct survey *survey, double pixels)
 {
-    double each = fmin(gather_pixel + gather_pixel_worth * survey->worth,
-                       gather_pixel_most);
     double finer = plan_finer(said),
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
-    if (survey->open < open_enough)
-        edges *= gather_chamber;
-    else
-        each = plan_rough(survey) *
-               (each + gather_pixel_mostly *
-                           fmin(fmax(survey->worth - gather_mostly, 0), 1));
+    bool chamber = survey->open < open_enough;
+    double worth = chamber ? survey->worth : survey->bounced;
+    double each = gather_pixel + gather_pixel_worth * worth;
+    if (each > gather_pixel_most || (survey->closed && !chamber))
+        each = gather_pixel_most;
+    if (!survey->closed)
+        each += gather_pixel_mostly * fmin(fmax(worth - gather_mostly, 0), 1);
+    each *= chamber ? gather_chamber : plan_rough(survey);
     return each * edges * finer * finer;
 }
 

@@ -45,16 +45,15 @@ int plan_samples(const struct light_mesh_settings *said,
                  const struct survey *survey, int times)
 {
     double finer = plan_finer(said);
-    bool closed = survey->open < open_enough;
-    double wanted =
-        rays_for(survey->rough, closed ? noise_for(times) : gather_noise);
+    double wanted = rays_for(survey->rough,
+                             survey->closed ? noise_for(times) : gather_noise);
     if (said->indirect.samples > 0)
         return said->indirect.samples;
     if (survey->worth < gather_worth_none)
         return 0;
-    wanted =
-        fmin(fmax(wanted, closed ? CHAMBER_LEAST : GATHER_LEAST), GATHER_MOST);
-    if (closed && rays_within(sqrt(2) * wanted) > CHAMBER_WAYS)
+    wanted = fmin(fmax(wanted, survey->closed ? CHAMBER_LEAST : GATHER_LEAST),
+                  GATHER_MOST);
+    if (survey->closed && rays_within(sqrt(2) * wanted) > CHAMBER_WAYS)
         wanted = CHAMBER_WAYS;
     return rays_within(sqrt(2) * times * wanted * finer *
                        finer); /* the nearest */

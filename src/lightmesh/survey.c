@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/drawn_lamp.h"
+#include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
@@ -54,88 +55,80 @@ static void sight_light(struct sight *sight, const struct gather *gather,
     sight->shown = rgb_brightness(rgb_add(shown, surface_glow(surface)));
 }
 
-/* What glows is picked, not found by chance: it is none of the roughness. */
-static rgb gathered_rest(const struct gather *gather,
-                         const struct gathered_ray *found)
+/* Whether what it met may be a wall: some of others' light comes back from
+ * there, or would. A sky that is a sphere, be it day or night, is none. */
+static bool gathered_wall(const struct sums *sums, const struct ray *ray,
+                          const struct gathered_ray *found)
 {
-    return emitters_any(gather->emitters) ? rgb_sub(found->light, found->glow)
-                                          : found->light;
+    struct surface surface;
+    if (!found->at.leaf)
+        return false;
+    if (rgb_peak(found->light) > 0 && !(rgb_peak(found->glow) > 0))
+        return true;
+    gather_surface(sums->gather, ray, &found->at, &surface);
+    for (int i = 0; i < surface.count; i++) {
+        const struct finish *finish = surface.layer[i].finish;
+        if (finish->diffuse > 0 || finish->diffuse_back > 0 ||
+            rgb_peak(surface.layer[i].reflection) > 0)
+            return true;
+    }
+    return rgb_peak(surface_passed(&surface)) > 0;
 }
 
-static struct bright_hit gathered_hit(const struct ray *ray,
+static struct bright_hit gathered_hit(const struct sums *sums,
+                                      const struct ray *ray,
                                       const struct gathered_ray *found)
 {
     struct bright_hit hit = { .origin = ray->origin,
                               .direction = ray->direction,
                               .distance = HUGE_VAL,
                               .light = 0 };
-    if (!found->at.leaf)
+    if (!gathered_wall(sums, ray, found))
         return hit;
     hit.normal = vec3_against(found->at.face, ray->direction);
     hit.distance = found->at.t;
     return hit;
 }
 
-/* Whether nothing of any light comes back from there, as from the night sky
- * that some hang around their planets. What is painted black is a wall still.
- */
-static bool gathered_lost(const struct sums *sums, const struct ray *ray,
-                          const struct gathered_ray *found)
-{
-    struct surface surface;
-    if (!found->at.leaf || rgb_peak(found->light) > 0)
-        return false;
-    gather_surface(sums->gather, ray, &found->at, &surface);
-    for (int i = 0; i < surface.count; i++) {
-        const struct finish *finish = surface.layer[i].finish;
-        if (finish->diffuse > 0 || finish->diffuse_back > 0 ||
-            rgb_peak(surface.layer[i].reflection) > 0)
-            return false;
-    }
-    return rgb_peak(surface_passed(&surface)) == 0;
-}
-
 /* How much of it goes no further: it leaves the scene, glows, or is lost. */
 static double gathered_ends(const struct sums *sums, const struct ray *ray,
                             const struct gathered_ray *found)
 {
-    return rgb_peak(found->glow) > 0 || gathered_lost(sums, ray, found)
-               ? 1
-               : fmin(found->open, 1);
+    bool lost = found->at.leaf && !(rgb_peak(found->light) > 0) &&
+                !gathered_wall(sums, ray, found);
+    return lost || rgb_peak(found->glow) > 0 ? 1 : fmin(found->open, 1);
 }
 
-/* What comes through from the far side of leaves, by a ray that is mirrored. */
-static void sight_add_behind(const struct sight *sight, const struct sums *sums,
-                             struct worker *worker, struct ray ray,
-                             const struct draws *draws,
-                             struct gathered_ray *found)
+/* Adds what comes through from the far side of leaves, by a ray that is
+ * mirrored; returns what of it isn't picked. */
+static rgb sight_add_behind(const struct sight *sight, const struct sums *sums,
+                            struct worker *worker, struct ray ray,
+                            const struct draws *draws,
+                            struct gathered_ray *found)
 {
     const struct surface *surface = &sight->surface;
     double behind = surface_behind(surface);
     struct gathered_ray more;
     if (!(behind > 0))
-        return;
+        return rgb_grey(0);
     double along = vec3_dot(ray.direction, surface->side);
     ray.direction = vec3_along(ray.direction, surface->side, -2 * along);
     gather_radiance(sums->gather, worker, &ray, draws, &more);
     found->light = rgb_add_scaled(found->light, more.light, behind);
-    found->glow = rgb_add_scaled(found->glow, more.glow, behind);
+    return rgb_scale(gather_unpicked(sums->gather, &ray, &more), behind);
 }
 
-/* What the picture shows of it. */
-static double sight_brought(const struct sight *sight,
-                            const struct gather *gather,
-                            const struct gathered_ray *found)
+/* What the picture shows of so much light. */
+static double sight_brought(const struct sight *sight, rgb light, double open)
 {
-    rgb rest = gathered_rest(gather, found);
-    return rgb_brightness(rgb_mul(sight->albedo, rest)) +
-           rgb_brightness(sight->ambient) * found->open;
+    return rgb_brightness(rgb_mul(sight->albedo, light)) +
+           rgb_brightness(sight->ambient) * open;
 }
 
 static void sight_gather(const struct sight *sight, struct worker *worker,
                          struct draws draws, struct sums *sums)
 {
-    double brought = 0, changed = 0;
+    double brought = 0, changed = 0, bounced = 0;
     double ambient = rgb_brightness(sight->ambient);
     size_t first = sums_rays(sums);
     draws.index *= (uint32_t)sums->each;
@@ -148,18 +141,21 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
         sums->ends += gathered_ends(sums, &ray, &found);
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
-        *hit = gathered_hit(&ray, &found);
+        *hit = gathered_hit(sums, &ray, &found);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
-        hit->light = fmax(sight_brought(sight, sums->gather, &found), 0);
-        sight_add_behind(sight, sums, worker, ray, &draws, &found);
-        double whole = sight_brought(sight, sums->gather, &found);
+        rgb rest = gather_unpicked(sums->gather, &ray, &found);
+        hit->light = fmax(sight_brought(sight, rest, found.open), 0);
+        rest = rgb_add(
+            rest, sight_add_behind(sight, sums, worker, ray, &draws, &found));
+        double whole = sight_brought(sight, rest, found.open);
         sums->brought[first + (size_t)i] = (struct brought){
             whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI,
             hit->lamps
         };
         brought += whole;
-        changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) +
-                   ambient * (1 - fmin(found.open, 1));
+        double closed = ambient * (1 - fmin(found.open, 1));
+        changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) + closed;
+        bounced += rgb_brightness(rgb_mul(sight->albedo, rest)) + closed;
         sums->light = rgb_add(sums->light, found.light);
         sums->open += fmin(found.open, 1);
     }
@@ -170,6 +166,7 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         sums->brought[first + (size_t)i].lamps /= shown;
     }
     sums->worth += changed / sums->each / shown;
+    sums->bounced += bounced / sums->each / shown;
     sums->returned += rgb_brightness(sight->returned);
     sums->seen[sums->sights++] =
         (struct seen){ sight->surface.point, sight->surface.side,
@@ -244,7 +241,9 @@ static struct indirect_share sums_around(const struct sums *sums)
 struct survey survey_none(void)
 {
     double rough = gather_noise * pow(UNSEEN_SAMPLES, 1 / gather_net);
-    return (struct survey){ .worth = 1, .rough = rough };
+    return (struct survey){
+        .closed = true, .worth = 1, .bounced = 1, .rough = rough
+    };
 }
 
 static void sums_gather(struct sums *sums, const struct scene *scene,
@@ -277,6 +276,21 @@ struct bright sums_cells(const struct sums *sums, hits_cells *of)
     return cells;
 }
 
+/* The frames of an animation stay on the side of the limits that the first one
+ * was on as long as they are near them: light would jump. */
+static bool sums_closed(const struct sums *sums, const struct survey *survey,
+                        const struct survey *known)
+{
+    const struct bright none = { .count = 0 };
+    double stays = !known          ? 1
+                   : known->closed ? half_open_stays
+                                   : 1 / half_open_stays;
+    return survey->open < open_enough ||
+           (survey->open < half_open * stays &&
+            survey->worth * stays > half_open_worth &&
+            sqrt(sums_variance(sums, &none)) * stays > half_open_rough);
+}
+
 static void sums_remember(const struct sums *sums, struct survey *survey)
 {
     size_t rays = sums_rays(sums);
@@ -297,12 +311,14 @@ static struct survey sums_tell(struct sums *sums,
         return survey;
     survey.open = sums->ends / rays;
     survey.worth = sums->worth / sums->sights;
+    survey.bounced = sums->bounced / sums->sights;
     survey.around = sums_around(sums);
     sums_remember(sums, &survey);
-    if (survey.open < open_enough) {
+    if (options->times > 0)
+        survey.glows = sums_glows(sums, worker);
+    survey.closed = sums_closed(sums, &survey, known);
+    if (survey.closed) {
         sums->choosing = sums->each / 2;
-        if (options->times > 0)
-            survey.glows = sums_glows(sums, worker);
         sums_light(sums, options, worker, &survey);
         survey.bright = sums_cells(sums, bright_of);
     } else {

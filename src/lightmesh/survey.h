@@ -11,16 +11,20 @@
 enum { SURVEY_HITS = 128 };
 
 struct survey {
-    double open;   /* share of gather rays that leave the scene, or end where it
-                    * glows: there is no bounce after them */
-    double worth;  /* what they change of what the picture shows: mean, relative
-                    */
-    double rough;  /* by how much one of them differs from another, some being
-                    * aimed at what is bright: root mean square, relative to what
-                    * the picture shows */
-    double picked; /* the same of what one virtual light brings that a place
-                    * picks, */
-    double glows;  /* and of one place of what glows */
+    double open;  /* share of gather rays that leave the scene, or end where it
+                   * glows: there is no bounce after them */
+    bool closed;  /* most light stays, or what is half open is mostly lit by
+                   * its own surfaces: the skeleton of the void ends its
+                   * bounces, and virtual lights bring what lamps light */
+    double worth; /* what they change of what the picture shows: mean, relative
+                   */
+    double bounced; /* the same but for what is picked */
+    double rough;   /* by how much one of them differs from another, some being
+                     * aimed at what is bright: root mean square, relative to what
+                     * the picture shows */
+    double picked;  /* the same of what one virtual light brings that a place
+                     * picks, */
+    double glows;   /* and of one place of what glows */
     struct bright lit; /* places whose light virtual lights bring; 0: none */
     struct virtual_lights *lights; /* these, the caller's; NULL: none */
     struct bright bright;          /* where most of the rest comes from */
@@ -36,9 +40,10 @@ struct survey survey_none(void);
 struct survey_options {
     int rays;  /* of each place, at least 4 */
     int times; /* as many virtual lights as a picture needs; 0: none */
-    const struct survey *known; /* whose bright and lit places are taken if
-                                 * they serve nearly as well as others that are
-                                 * found; NULL: none are known */
+    const struct survey *known; /* that is as closed unless this one is plainly
+                                 * not, and whose bright and lit places are
+                                 * taken if they serve nearly as well as others
+                                 * that are found; NULL: none is known */
 };
 
 /* `gather` has no mesh. */

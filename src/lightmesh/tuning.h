@@ -370,7 +370,14 @@ static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
 static const double gather_chamber = 31; /* times as many where light stays */
 static const double gather_coarser_most = 3; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
-                                        * scene: it has no chambers */
+                                        * scene: it is no chamber, */
+static const double half_open = 0.35;  /* but like one if fewer leave it and
+                                        * indirect light is worth so much and so
+                                        * rough [stairs, courtyards: .5 to .9 of
+                                        * the time, and less error] */
+static const double half_open_worth = 0.5, half_open_rough = 0.3;
+static const double half_open_stays = 1.4; /* factor of these for what follows
+                                            * another picture */
 static const double gather_worth_least = 0.02;  /* then the skeleton answers */
 static const double gather_worth_around = 0.01; /* or, in the open, what is
                                                  * usual */

@@ -121,11 +121,12 @@ static void sender_shoot(const struct exchange *exchange, struct sender *sender,
                        warp_lobe(u, patch->normal, 1) };
     struct sighting seen = sight_zone(exchange->sight, &ray, 0,
                                       random_key(draws->key, draws->index));
-    sender->met[sender->rays++] = (struct meeting){ seen.zone, area };
-    if (seen.zone != ZONE_SKY)
-        return;
-    sender->sky_area += area;
-    sender->sky = rgb_add_scaled(sender->sky, seen.beyond, area);
+    bool sky = seen.zone == ZONE_SKY;
+    sender->met[sender->rays++] =
+        (struct meeting){ seen.zone, sky ? area : area * seen.clear };
+    sender->sky_area += sky ? area : area * (1 - seen.clear);
+    sender->sky =
+        rgb_add_scaled(sender->sky, sky ? seen.beyond : seen.veil, area);
 }
 
 /* The rays of a patch; returns the area for which they stand. */

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/random.h"
+#include "base/warp.h"
 #include "shade/area.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
@@ -194,18 +195,50 @@ static void fill_task(void *context, size_t item, unsigned thread)
         patch_fill(task, i);
 }
 
+/* What a surface sends that a ray of this direction meets, with so much
+ * `arriving` on it besides the light of lamps. */
+static rgb beyond_sends(const struct patches_scene *from,
+                        const struct patch_point *point, rgb arriving,
+                        uint64_t key)
+{
+    struct patches_task task = { .from = from, .lamps_each = BEYOND_LAMPS };
+    rgb light = rgb_add(arriving, patch_direct(&task, point, key));
+    return rgb_add(rgb_mul(point->albedo, light), point->emission);
+}
+
+/* What arrives there from elsewhere, by one ray: the sky may be a sphere, or
+ * hidden. */
+static rgb beyond_arriving(const struct patches_scene *from,
+                           const struct patch_point *point, vec3 direction,
+                           uint64_t key)
+{
+    const struct ambience *ambience = from->ambience;
+    const double u[2] = { random_unit(random_key(key, 1)),
+                          random_unit(random_key(key, 2)) };
+    const vec3 side = vec3_against(point->at.face, direction);
+    const struct ray ray = { point->at.point, warp_lobe(u, side, 1) };
+    struct patch_point next;
+    if (rgb_peak(point->albedo) == 0)
+        return rgb_grey(0);
+    if (!world_closest(from->world, &ray, surface_offset(ray.origin),
+                       RAY_REFLECTION, &next.at))
+        return ambience_beyond(ambience, ray.direction);
+    patch_look(&next, ray.direction);
+    return beyond_sends(from, &next,
+                        ambience_beyond(ambience, next.surface.normal), key);
+}
+
 rgb patches_beyond(const struct patches_scene *from, vec3 direction,
                    const struct intersection *at, uint64_t key)
 {
-    struct patches_task task = { .from = from, .lamps_each = BEYOND_LAMPS };
     struct patch_point point;
     if (!at)
         return ambience_beyond(from->ambience, direction);
     point.at = *at;
     patch_look(&point, direction);
-    rgb light = ambience_beyond(from->ambience, point.surface.normal);
-    light = rgb_add(light, patch_direct(&task, &point, key));
-    return rgb_add(rgb_mul(point.albedo, light), point.emission);
+    return beyond_sends(
+        from, &point,
+        beyond_arriving(from, &point, direction, random_key(key, 6)), key);
 }
 
 struct patches *patches_new(const struct voxels *voxels,

@@ -1,28 +1,52 @@
 /* Rays to zones: see sight.h. */
 #include "skeleton/sight.h"
 
+#include "shade/background.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
 #include "skeleton/wall.h"
 
 enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
 
-/* The first wall that a ray meets; what lets light pass is none, and leaves so
+/* The first wall that a ray meets, or what is none but can't be seen through,
+ * as a sky is that is a sphere without shadow; what lets light pass leaves so
  * much of it. */
-static bool sight_wall(const struct sight *sight, const struct ray *ray,
-                       double tmin, struct intersection *at, rgb *through)
+static bool sight_end(const struct sight *sight, const struct ray *ray,
+                      double tmin, struct intersection *at, bool *wall,
+                      rgb *through)
 {
     *through = rgb_grey(1);
     for (int i = 0; i < CROSSINGS; i++) {
         if (!world_closest(sight->skeleton->world, ray, tmin, RAY_REFLECTION,
                            at))
             return false;
-        if (wall_stops(sight->skeleton->marks, at))
+        *wall = wall_stops(sight->skeleton->marks, at);
+        if (*wall)
             return true;
-        *through = rgb_mul(*through, surface_transmittance(at));
+        rgb passes = surface_transmittance(at);
+        if (rgb_peak(passes) == 0)
+            return true;
+        *through = rgb_mul(*through, passes);
         tmin = at->t + surface_offset(at->point);
     }
     return false;
+}
+
+/* Fog on the way: it gives light as the sky does (light meshes: gather.c). */
+static void sight_fog(const struct sight *sight, const struct ray *ray,
+                      double distance, struct sighting *seen)
+{
+    const struct ambience *ambience = &sight->skeleton->ambience;
+    if (ambience->scene->fogs.count == 0)
+        return;
+    struct veil veil = fog_veil(ambience->scene, ray, distance);
+    rgb clear = veil.through;
+    if (!ambience->sky)
+        veil.light = rgb_mul(ambience_beyond(ambience, ray->direction),
+                             rgb_sub(rgb_grey(1), clear));
+    seen->clear = rgb_brightness(clear);
+    seen->veil = veil.light;
+    seen->beyond = rgb_add(rgb_mul(clear, seen->beyond), veil.light);
 }
 
 struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
@@ -33,16 +57,22 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
     struct intersection at;
     int place[3];
     rgb through;
-    bool met = sight_wall(sight, ray, tmin, &at, &through);
-    if (!met || !voxels_find(v, at.point, place)) {
+    bool wall = false, met = sight_end(sight, ray, tmin, &at, &wall, &through);
+    if (!wall || !voxels_find(v, at.point, place)) {
         rgb beyond = patches_beyond(&sight->scene, ray->direction,
                                     met ? &at : NULL, key);
-        return (struct sighting){ ZONE_SKY, HUGE_VAL,
-                                  rgb_mul(through, beyond) };
+        struct sighting sky = { .zone = ZONE_SKY,
+                                .distance = HUGE_VAL,
+                                .beyond = rgb_mul(through, beyond),
+                                .clear = 1 };
+        sight_fog(sight, ray, met ? at.t : (double)INFINITY, &sky);
+        return sky;
     }
     struct sighting seen = { .zone = ZONE_NONE,
                              .distance =
-                                 vec3_length(vec3_sub(at.point, ray->origin)) };
+                                 vec3_length(vec3_sub(at.point, ray->origin)),
+                             .clear = 1 };
+    sight_fog(sight, ray, seen.distance, &seen);
     vec3 face = vec3_against(at.face, ray->direction);
     struct skeleton_point point =
         skeleton_find(skeleton, at.point, face, ray->origin);

@@ -27,6 +27,8 @@ struct sighting {
     uint32_t zone;
     double distance; /* in the grid */
     rgb beyond;      /* ZONE_SKY: the radiance of what is met out there */
+    double clear;    /* share of a zone's light that fog lets through, */
+    rgb veil;        /* and the radiance of fog before it */
 };
 
 /* The zone that a ray meets from tmin on; `key` names its random numbers. */

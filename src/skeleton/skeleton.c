@@ -313,11 +313,9 @@ bool skeleton_close(const struct skeleton *skeleton, struct worker *worker,
 {
     const struct heuristic *heuristic = skeleton->heuristic;
     struct skeleton_point point = find_void(skeleton, position, normal, from);
-    int place[3];
     point_name(skeleton, &point);
     *light = heuristic->close && point.voxel != VOXEL_NONE
                  ? heuristic->close(skeleton, &point)
                  : light_indirect(skeleton, worker, &point);
-    return rgb_peak(*light) > 0 ||
-           voxels_find(skeleton->voxels, position, place);
+    return rgb_peak(*light) > 0 || point.voxel != VOXEL_NONE;
 }

@@ -127,8 +127,9 @@ rgb skeleton_indirect(const struct skeleton *skeleton, struct worker *worker,
                       vec3 position, vec3 normal);
 
 /* The same for many rays whose light is mixed anyway: taken to be even within a
- * voxel. `from` as in skeleton_find. False outside of the grid if there is no
- * sky that gives light. */
+ * voxel. `from` as in skeleton_find. False where no void is near, as behind
+ * bars closer to each other than voxels are wide, or outside of the grid, if
+ * there is no sky that gives light. */
 bool skeleton_close(const struct skeleton *skeleton, struct worker *worker,
                     vec3 position, vec3 normal, vec3 from, rgb *light);
 

@@ -4,9 +4,9 @@
 //
 // If all surfaces send out 1, each is lit by 1, reflects its albedo a and glows
 // by 1 - a: that is 1 again. So every irradiance is 1, inside and outside,
-// whatever the shapes, and the light field is 4. (bounced is not asked in the
-// wedge under the triangle, a chamber of its own that the closing skeleton does
-// not know: there it finds a sixth.)
+// whatever the shapes, and the light field is 4. (The wedge under the triangle
+// is a chamber of its own that the closing skeleton does not know: there further
+// rays end the bounces, and bounced loses some.)
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location -z }

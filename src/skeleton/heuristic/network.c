@@ -323,8 +323,10 @@ static rgb network_seen(const struct skeleton *skeleton, const struct ray *ray,
     struct sighting seen =
         sight_zone(&network->sight, ray, surface_offset(ray->origin), key);
     *distance = seen.distance;
-    return seen.zone < ZONE_SKY ? network->enclosure->zones[seen.zone].sent
-                                : seen.beyond;
+    if (seen.zone >= ZONE_SKY)
+        return seen.beyond;
+    return rgb_add_scaled(seen.veil, network->enclosure->zones[seen.zone].sent,
+                          seen.clear);
 }
 
 static const struct pieces *network_pieces(const struct skeleton *skeleton)
