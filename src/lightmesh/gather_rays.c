@@ -64,13 +64,15 @@ static void gather_rays_light(const struct gather *gather,
 void gather_rays_meet(const struct gather *gather, struct worker *worker,
                       double reach, struct gather_rays *sent)
 {
-    struct rays_span span = { { 0 }, { 0 } };
+    struct rays_span span;
     struct world_hit hits[RAY_LANES];
     for (unsigned i = 0; i < sent->count; i++) {
         const struct ray ray = rays_at(&sent->rays, (int)i);
         span.near[i] = surface_offset(ray.origin);
         span.far[i] = reach;
     }
+    if (sent->count > 0)
+        rays_fill(&sent->rays, &span, sent->count);
     sent->lit.lanes = 0;
     worker->counters.shadow_rays += sent->count;
     world_closest_many(gather->lamps->world, &sent->rays, &span, sent->count,

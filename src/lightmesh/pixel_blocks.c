@@ -120,7 +120,7 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks,
     bool known = block_is_known(block, blocks, around);
     struct rays rays;
     struct world_hit hits[BLOCK_PLACES];
-    struct rays_span span = { { 0 }, { 0 } };
+    struct rays_span span;
     int number[BLOCK_PLACES];
     unsigned count = 0;
     block->coarser = -1;
@@ -142,6 +142,8 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks,
         span.far[count] = (double)INFINITY;
         number[count++] = i;
     }
+    if (count > 0)
+        rays_fill(&rays, &span, count);
     world_closest_many(blocks->mesh->points.world, &rays, &span, count,
                        RAY_CAMERA, hits);
     for (unsigned i = 0; i < count; i++)

@@ -122,6 +122,22 @@ static inline struct ray rays_at(const struct rays *rays, int i)
     return (struct ray){ rays_origin(rays, i), rays_direction(rays, i) };
 }
 
+/* Only the first `count` are set, at least one: the others become the first,
+ * and meet nothing. What packets look at is decided by all lanes, though only
+ * those that are asked for are told: chance ones made 300 balls of a blob .2
+ * dearer.
+ */
+static inline void rays_fill(struct rays *rays, struct rays_span *span,
+                             unsigned count)
+{
+    const struct ray first = rays_at(rays, 0);
+    for (unsigned i = count; i < RAY_LANES; i++) {
+        rays_set(rays, (int)i, first.origin, first.direction);
+        span->near[i] = 0;
+        span->far[i] = -1;
+    }
+}
+
 /* All of them in another space, as ray_into takes one there. */
 void rays_into(const affine *transform, struct lane_run run,
                const struct rays *rays, struct rays *out);

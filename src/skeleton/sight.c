@@ -2,6 +2,7 @@
 #include "skeleton/sight.h"
 
 #include "shade/background.h"
+#include "shade/finish.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
 #include "skeleton/wall.h"
@@ -10,7 +11,7 @@ enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
 
 /* The first wall that a ray meets, or what is none but can't be seen through,
  * as a sky is that is a sphere without shadow; what lets light pass leaves so
- * much of it. */
+ * much of it, no more than all. */
 static bool sight_end(const struct sight *sight, const struct ray *ray,
                       double tmin, struct intersection *at, bool *wall,
                       rgb *through)
@@ -23,8 +24,8 @@ static bool sight_end(const struct sight *sight, const struct ray *ray,
         *wall = wall_stops(sight->skeleton->marks, at);
         if (*wall)
             return true;
-        rgb passes = surface_transmittance(at);
-        if (rgb_peak(passes) == 0)
+        rgb passes = albedo_bounded(surface_transmittance(at), 1);
+        if (!(rgb_peak(passes) > 0))
             return true;
         *through = rgb_mul(*through, passes);
         tmin = at->t + surface_offset(at->point);

@@ -70,7 +70,7 @@ enum { WORLD_RAYS = RAY_LANES };
 
 /* The same for the first so many rays, within the span of each, which is twice
  * as quick if they begin and go close together, as those of neighbouring pixels
- * do. */
+ * do; the others should be as one of these (rays_fill). */
 void world_closest_many(const struct world *world, const struct rays *rays,
                         const struct rays_span *span, unsigned count,
                         enum ray_kind kind, struct world_hit *out);

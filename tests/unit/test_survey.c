@@ -93,7 +93,7 @@ static void test_outlook(void **state)
 static void test_afford(void **state)
 {
     struct scene_world *all = scene_world_new(CAMERA);
-    const struct survey survey = { .open = 0.5, .worth = 0.1 };
+    const struct survey survey = { .open = 0.5, .worth = 0.1, .bounced = 0.1 };
     struct mesh_frame few = { .spacing = 1, .gather = 1, .samples = 128 };
     struct mesh_frame many = few, crowd = few;
     (void)state;
@@ -116,7 +116,7 @@ static void test_afford(void **state)
 static void test_nets(void **state)
 {
     struct scene_world *all = scene_world_new(CAMERA);
-    struct survey survey = { .open = 0.5, .worth = 0.1 };
+    struct survey survey = { .open = 0.5, .worth = 0.1, .bounced = 0.1 };
     const struct outlook outlook = { .pixel = 0.01, .size = 10, .across = 10 };
     (void)state;
     for (int i = 1; i < 40; i++) {
