@@ -119,7 +119,9 @@ static double plan_rough(const struct survey *survey)
 }
 
 /* The more light comes from surfaces the more of the picture depends on it: all
- * of it in a chamber, of which a small picture shows as much as a large one. */
+ * of it in a chamber, of which a small picture shows as much as a large one.
+ * What is half open needs no more than what is open usually has, since its
+ * bounces are ended. */
 static double plan_rays(const struct light_mesh_settings *said,
                         const struct survey *survey, double pixels)
 {

@@ -276,8 +276,9 @@ struct bright sums_cells(const struct sums *sums, hits_cells *of)
     return cells;
 }
 
-/* The frames of an animation stay on the side of the limits that the first one
- * was on as long as they are near them: light would jump. */
+/* Whether most light stays (survey.h). The frames of an animation stay on the
+ * side of the limits that the first one was on as long as they are near them:
+ * light would jump. */
 static bool sums_closed(const struct sums *sums, const struct survey *survey,
                         const struct survey *known)
 {
