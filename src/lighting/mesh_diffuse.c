@@ -14,8 +14,7 @@ struct asker {
     double behind;            /* how much that of the other side does of it */
 };
 
-/* What it asks of the mesh is put into its receiver: to copy one for each pixel
- * took longer than to read it. */
+/* What it asks of the mesh is put into its receiver. */
 static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                              struct worker *worker,
                                              struct asker *asker)

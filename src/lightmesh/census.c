@@ -91,11 +91,11 @@ static void tally_mirrors(struct tally *tally, const struct ray *ray,
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         double share = rgb_peak(rgb_mul(layer->weight, layer->reflection));
-        double along = vec3_dot(ray->direction, layer->normal);
         struct intersection at;
-        struct ray mirrored = { surface->point,
-                                vec3_along(ray->direction, layer->normal,
-                                           -2 * along) };
+        struct ray mirrored = {
+            surface->point,
+            surface_mirrored(surface->normal, ray->direction, layer->normal)
+        };
         if (share >= gather_least)
             tally_met(tally, &mirrored, share, &at);
     }
@@ -141,9 +141,11 @@ static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
         return;
     receiver.view = census->indirect_view;
     point_mesh_want(&census->indirect->points, &receiver, &tally->wanted[2]);
-    if (tally->seen)
+    if (tally->seen) {
         tally_beyond(tally, &ray, &at);
-    for (uint64_t i = 0; i < GATHERED && !tally->seen; i++)
+        return;
+    }
+    for (uint64_t i = 0; i < GATHERED; i++)
         tally_gather(tally, &receiver, census->indirect, 1, GATHERED * key + i);
 }
 

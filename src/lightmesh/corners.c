@@ -5,7 +5,8 @@
 
 #include "lightmesh/tuning.h"
 
-bool receiver_is_bumpy(const struct receiver *receiver)
+/* Bumps take what comes from their own sides. */
+static bool receiver_is_bumpy(const struct receiver *receiver)
 {
     return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
 }

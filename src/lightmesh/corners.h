@@ -29,9 +29,6 @@ struct corners {
     } at[GRID_CORNERS];
 };
 
-/* Bumps take what comes from their own sides. */
-bool receiver_is_bumpy(const struct receiver *receiver);
-
 /* Finds the cell around a place on a level. Most pixels are on one plane with
  * all corners of their cell, which then says at once by how much they differ;
  * the rest of `corners` is set by corners_find. */

@@ -6,13 +6,23 @@
 #include "lightmesh/gather_rays.h"
 #include "shade/finish.h"
 
+/* How likely what the ray met is picked there, per solid angle; 0 unless it
+ * glows. */
+static double glow_density(const struct gather *gather, const struct ray *ray,
+                           const struct gathered_ray *found)
+{
+    return emitters_any(gather->emitters) && rgb_peak(found->glow) > 0
+               ? emitters_density(gather->emitters, ray->origin, ray->direction,
+                                  &found->at)
+               : 0;
+}
+
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
                     double density, const struct gathered_ray *found)
 {
-    if (!emitters_any(gather->emitters) || !(rgb_peak(found->glow) > 0))
+    double other = glow_density(gather, ray, found);
+    if (!(other > 0))
         return found->light;
-    double other = emitters_density(gather->emitters, ray->origin,
-                                    ray->direction, &found->at);
     double twice = isfinite(other) ? other / (density + other) : 1;
     return rgb_add_scaled(found->light, found->glow, -twice);
 }
@@ -20,10 +30,9 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
 rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
                     const struct gathered_ray *found)
 {
-    bool picked = emitters_any(gather->emitters) && rgb_peak(found->glow) > 0 &&
-                  emitters_density(gather->emitters, ray->origin,
-                                   ray->direction, &found->at) > 0;
-    return picked ? rgb_sub(found->light, found->glow) : found->light;
+    return glow_density(gather, ray, found) > 0
+               ? rgb_sub(found->light, found->glow)
+               : found->light;
 }
 
 /* Whether what the ray met is what was picked, and glows there. */

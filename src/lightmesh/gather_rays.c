@@ -71,8 +71,7 @@ void gather_rays_meet(const struct gather *gather, struct worker *worker,
         span.near[i] = surface_offset(ray.origin);
         span.far[i] = reach;
     }
-    if (sent->count > 0)
-        rays_fill(&sent->rays, &span, sent->count);
+    rays_fill(&sent->rays, &span, sent->count);
     sent->lit.lanes = 0;
     worker->counters.shadow_rays += sent->count;
     world_closest_many(gather->lamps->world, &sent->rays, &span, sent->count,

@@ -48,8 +48,7 @@ static unsigned picks_look(const struct gather *gather, struct worker *worker,
         span.near[i] = surface_offset(place);
         span.far[i] = distance - surface_offset(light->point);
     }
-    if (count > 0)
-        rays_fill(&rays, &span, count);
+    rays_fill(&rays, &span, count);
     worker->counters.shadow_rays += count;
     world_closest_many(gather->lamps->world, &rays, &span, count,
                        RAY_REFLECTION, hits);

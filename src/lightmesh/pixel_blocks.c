@@ -142,8 +142,7 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks,
         span.far[count] = (double)INFINITY;
         number[count++] = i;
     }
-    if (count > 0)
-        rays_fill(&rays, &span, count);
+    rays_fill(&rays, &span, count);
     world_closest_many(blocks->mesh->points.world, &rays, &span, count,
                        RAY_CAMERA, hits);
     for (unsigned i = 0; i < count; i++)

@@ -66,9 +66,9 @@ static int main_axis(const double side[3])
 static double grid_place(const struct surface_grid *grid, vec3 point, int level,
                          int axis)
 {
-    const double from[3] = { grid->origin.x, grid->origin.y, grid->origin.z },
-                 at[3] = { point.x, point.y, point.z };
-    return (at[axis] - from[axis]) * grid->within[level] + grid_shift[axis];
+    double from = vec3_component(grid->origin, axis);
+    return (vec3_component(point, axis) - from) * grid->within[level] +
+           grid_shift[axis];
 }
 
 /* Bilinear. */

@@ -75,15 +75,14 @@ static bool gathered_wall(const struct sums *sums, const struct ray *ray,
     return rgb_peak(surface_passed(&surface)) > 0;
 }
 
-static struct bright_hit gathered_hit(const struct sums *sums,
-                                      const struct ray *ray,
-                                      const struct gathered_ray *found)
+static struct bright_hit
+gathered_hit(const struct ray *ray, const struct gathered_ray *found, bool wall)
 {
     struct bright_hit hit = { .origin = ray->origin,
                               .direction = ray->direction,
                               .distance = HUGE_VAL,
                               .light = 0 };
-    if (!gathered_wall(sums, ray, found))
+    if (!wall)
         return hit;
     hit.normal = vec3_against(found->at.face, ray->direction);
     hit.distance = found->at.t;
@@ -91,11 +90,9 @@ static struct bright_hit gathered_hit(const struct sums *sums,
 }
 
 /* How much of it goes no further: it leaves the scene, glows, or is lost. */
-static double gathered_ends(const struct sums *sums, const struct ray *ray,
-                            const struct gathered_ray *found)
+static double gathered_ends(const struct gathered_ray *found, bool wall)
 {
-    bool lost = found->at.leaf && !(rgb_peak(found->light) > 0) &&
-                !gathered_wall(sums, ray, found);
+    bool lost = found->at.leaf && !wall && !(rgb_peak(found->light) > 0);
     return lost || rgb_peak(found->glow) > 0 ? 1 : fmin(found->open, 1);
 }
 
@@ -139,9 +136,10 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct ray ray = { sight->surface.point,
                            warp_lobe(u, sight->surface.side, 1) };
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
-        sums->ends += gathered_ends(sums, &ray, &found);
+        bool wall = gathered_wall(sums, &ray, &found);
+        sums->ends += gathered_ends(&found, wall);
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
-        *hit = gathered_hit(sums, &ray, &found);
+        *hit = gathered_hit(&ray, &found, wall);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
         rgb rest = gather_unpicked(sums->gather, &ray, &found);
         hit->light = fmax(sight_brought(sight, rest, found.open), 0);

@@ -122,14 +122,15 @@ static inline struct ray rays_at(const struct rays *rays, int i)
     return (struct ray){ rays_origin(rays, i), rays_direction(rays, i) };
 }
 
-/* Only the first `count` are set, at least one: the others become the first,
+/* Only the first `count` are set: the others become the first, if there is one,
  * and meet nothing. What packets look at is decided by all lanes, though only
  * those that are asked for are told: chance ones made 300 balls of a blob .2
- * dearer.
- */
+ * dearer. */
 static inline void rays_fill(struct rays *rays, struct rays_span *span,
                              unsigned count)
 {
+    if (count == 0)
+        return;
     const struct ray first = rays_at(rays, 0);
     for (unsigned i = count; i < RAY_LANES; i++) {
         rays_set(rays, (int)i, first.origin, first.direction);

@@ -303,12 +303,13 @@ static void sights_follow(struct sights *sights)
     struct rays rays;
     struct rays_span span;
     struct world_hit hits[WORLD_RAYS];
-    for (unsigned i = 0; i < RAY_LANES; i++) {
-        const struct path *path = sights->path[i < count ? i : 0];
+    for (unsigned i = 0; i < count; i++) {
+        const struct path *path = sights->path[i];
         rays_set(&rays, (int)i, path->ray.origin, path->ray.direction);
         span.near[i] = surface_offset(path->ray.origin);
-        span.far[i] = i < count ? (double)INFINITY : -(double)INFINITY;
+        span.far[i] = (double)INFINITY;
     }
+    rays_fill(&rays, &span, count);
     world_closest_many(sights->wavefront->tracer->world, &rays, &span, count,
                        sights->path[0]->kind, hits);
     sights->rays = &rays;

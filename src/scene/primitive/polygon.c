@@ -24,11 +24,6 @@ static const struct field polygon_arguments[] = {
     { .name = NULL },
 };
 
-static bool same_point(vec3 a, vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 /* The normal from the point farthest from the first one and the point
  * farthest from the line through both, towards the side from which the outline
  * runs as POV-Ray's does: false if there is no area. */
@@ -99,7 +94,7 @@ static void polygon_make_edges(struct polygon *polygon, struct arena *arena)
     polygon->edges = ARENA_ARRAY(arena, struct edge, count + 1);
     for (size_t i = 1; i < count; i++) {
         polygon_add_edge(polygon, p[i - 1], p[i]);
-        if (!same_point(p[i], p[start]))
+        if (!vec3_same(p[i], p[start]))
             continue;
         start = ++i; /* the next outline begins after the closing point */
     }
