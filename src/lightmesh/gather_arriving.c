@@ -60,7 +60,7 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     double density = vec3_dot(ray.direction, surface->side) / WARP_PI;
     found.light = gathering_follow(&further, &found.at, &found.glow);
     found.light =
-        rgb_add(gather_balanced(gather, &ray, density, &found),
+        rgb_add(gather_balanced(gather, &ray, density, 1, &found),
                 gather_picked(gather, gathering->worker, surface, &draws));
     share.light = rgb_mix(share.light, found.light, 1 / chance);
     share.open += (found.open - share.open) / chance;

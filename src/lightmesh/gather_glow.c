@@ -18,13 +18,12 @@ static double glow_density(const struct gather *gather, const struct ray *ray,
 }
 
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
-                    double density, const struct gathered_ray *found)
+                    double density, double left,
+                    const struct gathered_ray *found)
 {
     double other = glow_density(gather, ray, found);
-    if (!(other > 0))
-        return found->light;
-    double twice = isfinite(other) ? other / (density + other) : 1;
-    return rgb_add_scaled(found->light, found->glow, -twice);
+    double once = isfinite(other) ? density / (density + other) : 0;
+    return rgb_add_scaled(found->light, found->glow, left * once - 1);
 }
 
 rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
@@ -35,20 +34,33 @@ rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
                : found->light;
 }
 
-/* Whether what the ray met is what was picked, and glows there. */
-static bool pick_is_met(const struct gather *gather, const struct ray *ray,
-                        const struct emitter_pick *pick,
-                        const struct intersection *at,
-                        struct gathered_glow *found)
+rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
+                   const struct intersection *at)
 {
     struct surface surface;
-    if (at->leaf != pick->leaf ||
-        !(isinf(pick->distance) ||
-          fabs(at->t - pick->distance) <= 1e-5 * (1 + at->t)))
-        return false;
     gather_surface(gather, ray, at, &surface);
-    *found = (struct gathered_glow){ pick->direction, surface_glow(&surface),
-                                     pick->density };
+    return surface_glow(&surface);
+}
+
+bool gather_pick_is_met(const struct emitter_pick *pick,
+                        const struct intersection *at)
+{
+    return at->leaf == pick->leaf &&
+           (isinf(pick->distance) ||
+            fabs(at->t - pick->distance) <= 1e-5 * (1 + at->t));
+}
+
+/* The same, and glows there. */
+static bool pick_glows(const struct gather *gather, const struct ray *ray,
+                       const struct emitter_pick *pick,
+                       const struct intersection *at,
+                       struct gathered_glow *found)
+{
+    if (!gather_pick_is_met(pick, at))
+        return false;
+    *found = (struct gathered_glow){ pick->direction,
+                                     gather_glow_at(gather, ray, at),
+                                     pick->density, pick->leaf, at->t };
     return rgb_peak(found->light) != 0;
 }
 
@@ -70,8 +82,8 @@ unsigned gather_pick(const struct gather *gather, struct worker *worker,
     gather_rays_meet(gather, worker, (double)INFINITY, &sent);
     for (unsigned i = 0; i < sent.count; i++) {
         const struct ray ray = rays_at(&sent.rays, (int)i);
-        met += pick_is_met(gather, &ray, &picks[i], &sent.found[i].at,
-                           &found[met]);
+        met +=
+            pick_glows(gather, &ray, &picks[i], &sent.found[i].at, &found[met]);
     }
     return met;
 }

@@ -7,9 +7,19 @@
 
 /* Of what comes along the ray, which was drawn with that density per solid
  * angle, what counts beside gather_pick (balance heuristic, Veach 1997, section
- * 9.2): its first surface's glow only in part. */
+ * 9.2): of its first surface's glow only so much as is `left` to be found, and
+ * of that a part. */
 rgb gather_balanced(const struct gather *gather, const struct ray *ray,
-                    double density, const struct gathered_ray *found);
+                    double density, double left,
+                    const struct gathered_ray *found);
+
+/* What glows where the ray ends. */
+rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
+                   const struct intersection *at);
+
+/* Whether what a ray there met is what was picked. */
+bool gather_pick_is_met(const struct emitter_pick *pick,
+                        const struct intersection *at);
 
 /* The same without the glow of what gather_pick finds: it is no surprise. */
 rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
@@ -19,7 +29,9 @@ rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
 struct gathered_glow {
     vec3 direction;
     rgb light;
-    double density; /* of being picked, per solid angle */
+    double density;          /* of being picked, per solid angle */
+    const struct leaf *leaf; /* what it is of, */
+    double distance;         /* and how far off */
 };
 
 /* Such places as seen from one, picked as `count` samples, up to RAY_LANES, of

@@ -102,3 +102,13 @@ void gather_ways_free(struct gather_ways *ways)
     memory_free(ways->ways);
     memory_free(ways->order);
 }
+
+void gather_part_shift(uint32_t part, double place[2])
+{
+    static const double second[GATHER_PARTS] = { 0,     0.5,   0.25,  0.75,
+                                                 0.125, 0.625, 0.375, 0.875 };
+    place[0] += (double)part / GATHER_PARTS;
+    place[1] += second[part];
+    place[0] -= floor(place[0]);
+    place[1] -= floor(place[1]);
+}

@@ -27,4 +27,10 @@ void gather_ways_free(struct gather_ways *ways);
 /* Way `index` of those that `key` names: all are equally likely. */
 vec3 gather_way(uint64_t key, uint32_t index);
 
+/* Moves a place of the unit square, round its edges, for each part by another
+ * of a net of eight (Cranley and Patterson 1976; Hammersley's points): each
+ * part keeps its own net, and of few rays those of all parts are even as well.
+ */
+void gather_part_shift(uint32_t part, double place[2]);
+
 #endif

@@ -6,6 +6,7 @@
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/gather_virtual.h"
+#include "lightmesh/near_glow.h"
 #include "lightmesh/tuning.h"
 
 /* A mesh point that gathers. */
@@ -94,6 +95,15 @@ static void gathered_add(struct gathered *sum, const struct gatherer *gatherer,
     sum->all += counts * brought_weight(brought);
 }
 
+/* How much of that glow isn't left to places close to it. */
+static double gatherer_glow(const struct gatherer *gatherer,
+                            const struct leaf *leaf, double distance)
+{
+    const struct near_glow *near =
+        gatherer->site->lone ? NULL : gatherer->mesh->near_glow;
+    return 1 - near_glow_share(near, leaf, distance);
+}
+
 /* One gather ray. What glows counts by how likely it is to be found so. */
 static struct brought gatherer_look(const struct gatherer *gatherer,
                                     struct waiting *waiting, unsigned i)
@@ -104,7 +114,10 @@ static struct brought gatherer_look(const struct gatherer *gatherer,
     const struct gathered_ray *found =
         gather_rays_follow(gather, gatherer->worker, &waiting->rays, i);
     double picks = density * gatherer->count / gatherer->picks;
-    rgb light = gather_balanced(gather, &ray, picks, found);
+    double left = rgb_peak(found->glow) > 0
+                      ? gatherer_glow(gatherer, found->at.leaf, found->at.t)
+                      : 1;
+    rgb light = gather_balanced(gather, &ray, picks, left, found);
     return (struct brought){ light, found->open, density };
 }
 
@@ -235,20 +248,6 @@ static void gatherer_cells(const struct gatherer *gatherer,
     gatherer_settle(gatherer, brought, waiting, sum);
 }
 
-/* Moves a place of the unit square, round its edges, for each part by another
- * of a net of eight (Cranley and Patterson 1976; Hammersley's points): each
- * part keeps its own net, and of few rays those of all parts are even as well.
- */
-static void part_shift(uint32_t part, double u[2])
-{
-    static const double second[GATHER_PARTS] = { 0,     0.5,   0.25,  0.75,
-                                                 0.125, 0.625, 0.375, 0.875 };
-    u[0] += (double)part / GATHER_PARTS;
-    u[1] += second[part];
-    u[0] -= floor(u[0]);
-    u[1] -= floor(u[1]);
-}
-
 /* And of what is sent to one bright place. What is worth more rays sends the
  * same ones and others: a picture's light changes by little when another finds
  * the place a little brighter. */
@@ -264,7 +263,7 @@ static void gatherer_aim_at(const struct gatherer *gatherer,
          i++, draws.index++) {
         double u[2];
         draw_pair(&draws, GATHER_DIRECTION, u);
-        part_shift(part, u);
+        gather_part_shift(part, u);
         vec3 way = aim_way(&gatherer->aim, disc, u);
         if (!(vec3_dot(way, gatherer->site->wall) > 0))
             gatherer_send(gatherer, &draws, way, fmin(disc->rays - i, 1),
@@ -306,7 +305,10 @@ static void gatherer_pick(const struct gatherer *gatherer,
                             draws, count, found);
         for (unsigned i = 0; i < count; i++)
             indirect_light_add(
-                light, found[i].direction, found[i].light, 0,
+                light, found[i].direction,
+                rgb_scale(found[i].light, gatherer_glow(gatherer, found[i].leaf,
+                                                        found[i].distance)),
+                0,
                 found[i].density * gatherer->picks / gatherer->count +
                     gatherer_density(gatherer, found[i].direction));
     }

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "lightmesh/gatherer.h"
+#include "lightmesh/near_glow.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 
@@ -36,7 +37,11 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     mesh->near = near_ways_new(options->near);
     mesh->near_lone = near_ways_new(options->near_lone);
     mesh->near_more = near_ways_new(options->near_more);
+    mesh->near_beside = near_ways_new(NEAR_BESIDE);
     mesh->near_onwards = near_onwards_new(&mesh->gather, options->near);
+    if (bounce == 1)
+        mesh->near_glow = near_glow_new(direct->lamps->world, emitters,
+                                        &options->lattice, &options->view);
     mesh->lone_samples = LONE_SAMPLES;
     for (int i = 1; i < bounce; i++)
         mesh->lone_samples /= LONE_PART;
@@ -104,7 +109,9 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         near_ways_free(&mesh->near);
         near_ways_free(&mesh->near_lone);
         near_ways_free(&mesh->near_more);
+        near_ways_free(&mesh->near_beside);
         onwards_free(&mesh->near_onwards);
+        near_glow_free(mesh->near_glow);
         onwards_free(&mesh->onwards);
         memory_free(mesh);
         mesh = next;
@@ -143,6 +150,39 @@ bool indirect_mesh_blend(const struct indirect_mesh *mesh,
     return !blend.here;
 }
 
+/* What glows near the receiver, which has that light else. */
+static bool glow_find(const struct indirect_mesh *mesh, struct worker *worker,
+                      const struct receiver *receiver,
+                      const struct indirect_light *light,
+                      struct indirect_light *glow, rgb *arriving)
+{
+    if (!mesh->near_glow)
+        return false;
+    const struct near_place place = {
+        receiver->point, receiver->side,
+        indirect_light_share(light, receiver->side).light
+    };
+    return near_glow_find(mesh->near_glow, &mesh->gather, worker, &place, glow,
+                          arriving);
+}
+
+struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
+                                         struct worker *worker,
+                                         const struct receiver *receiver,
+                                         const struct near_ways *ways,
+                                         struct indirect_light *light)
+{
+    struct indirect_light glow;
+    rgb arriving;
+    if (!glow_find(mesh, worker, receiver, light, &glow, &arriving))
+        return near_field_share(mesh, worker, receiver, ways, NULL, light);
+    struct indirect_share share = near_field_share(
+        mesh, worker, receiver, &mesh->near_beside, &glow, light);
+    share.light = rgb_add(share.light, arriving);
+    indirect_light_mix(light, &glow, 1);
+    return share;
+}
+
 struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
                                            struct worker *worker,
                                            const struct receiver *receiver,
@@ -150,7 +190,7 @@ struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
                                            struct indirect_light *light)
 {
     return indirect_mesh_blend(mesh, worker, receiver, light)
-               ? near_field_share(mesh, worker, receiver, ways, light)
+               ? indirect_mesh_mend(mesh, worker, receiver, ways, light)
                : indirect_light_share(light, receiver->side);
 }
 
@@ -165,15 +205,15 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
         return share;
     }
     struct indirect_light light;
-    if (!receiver->pixel) {
-        indirect_mesh_blend(mesh, worker, receiver, &light);
-        return indirect_light_bumped(&light, receiver->side, receiver->normal);
+    bool around = indirect_mesh_blend(mesh, worker, receiver, &light);
+    if (around && (receiver->pixel ||
+                   near_glow_reaches(mesh->near_glow, receiver->point))) {
+        const struct indirect_share share = indirect_mesh_mend(
+            mesh, worker, receiver, &mesh->near_lone, &light);
+        if (vec3_dot(receiver->normal, receiver->side) >= indirect_pixels_flat)
+            return share;
     }
-    struct indirect_share share =
-        indirect_mesh_around(mesh, worker, receiver, &mesh->near_lone, &light);
-    if (vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat)
-        share = indirect_light_bumped(&light, receiver->side, receiver->normal);
-    return share;
+    return indirect_light_bumped(&light, receiver->side, receiver->normal);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

@@ -49,6 +49,8 @@ struct indirect_options {
     struct indirect_share around; /* or this */
 };
 
+struct near_glow;
+
 struct indirect_mesh {
     struct gather gather;
     struct point_mesh points;
@@ -62,8 +64,10 @@ struct indirect_mesh {
     struct way_cells cells;
     struct onwards onwards;                      /* of its gather rays */
     struct near_ways near, near_lone, near_more; /* of near rays, as of its
-                                                  * options */
+                                                  * options, */
+    struct near_ways near_beside;                /* and beside what glows */
     struct onwards near_onwards;                 /* likewise */
+    struct near_glow *near_glow; /* what mesh points leave out; or NULL */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
@@ -85,8 +89,16 @@ bool indirect_mesh_blend(const struct indirect_mesh *mesh,
                          struct worker *worker, const struct receiver *receiver,
                          struct indirect_light *light);
 
-/* The same, mended by rays along `ways` to what stands close (near_field.h).
- * Returns what the receiver's side gets of it, without bumps. */
+/* Mends what the points around know by what is close: by rays along `ways`
+ * (near_field.h), and by what glows there (near_glow.h). Returns what the
+ * receiver's side gets of it, without bumps. */
+struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
+                                         struct worker *worker,
+                                         const struct receiver *receiver,
+                                         const struct near_ways *ways,
+                                         struct indirect_light *light);
+
+/* Both. */
 struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
                                            struct worker *worker,
                                            const struct receiver *receiver,

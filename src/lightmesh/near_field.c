@@ -5,6 +5,7 @@
 #include "base/warp.h"
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/near_glow.h"
 #include "lightmesh/tuning.h"
 
 /* Numbers of its own, apart from those of mesh points. */
@@ -100,8 +101,8 @@ double near_field_closeness(double distance, double reach)
     return fmin(fmax(1 - far, 0), 1);
 }
 
-/* One of them. Returns how much of it counts as met, which is nothing of what
- * glows. */
+/* One of them. Returns how much of it counts as met: of what glows as much as
+ * isn't left to mesh points. */
 static double nearby_meet(struct nearby *nearby, struct gather_rays *sent,
                           unsigned i)
 {
@@ -112,10 +113,12 @@ static double nearby_meet(struct nearby *nearby, struct gather_rays *sent,
         return 0;
     const struct gathered_ray *found =
         gather_rays_follow(&nearby->gather, nearby->worker, sent, i);
-    if (rgb_peak(found->glow) > 0)
-        return 0;
     double close = near_field_closeness(found->at.t, nearby->reach);
-    rgb light = rgb_scale(found->light, close);
+    rgb light = rgb_sub(found->light, found->glow);
+    if (rgb_peak(found->glow) > 0)
+        close *= near_glow_share(nearby->mesh->near_glow, found->at.leaf,
+                                 found->at.t);
+    light = rgb_scale(light, close);
     double open = close * found->open;
     indirect_light_add(&nearby->met, way, light, open, density * count);
     nearby->shares.light =
@@ -207,8 +210,10 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
                                        struct worker *worker,
                                        const struct receiver *receiver,
                                        const struct near_ways *ways,
+                                       const struct indirect_light *glow,
                                        struct indirect_light *light)
 {
+    struct indirect_light here;
     struct nearby nearby = {
         .mesh = mesh,
         .gather = mesh->gather,
@@ -219,6 +224,11 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
     };
     nearby.gather.indirect = mesh;
     nearby.gather.here = light;
+    if (glow) {
+        here = *light;
+        indirect_light_mix(&here, glow, 1);
+        nearby.gather.here = &here;
+    }
     nearby.gather.virtual_lights = NULL;
     nearby.gather.reach = nearby.reach;
     nearby.gather.onwards = &mesh->near_onwards;

@@ -29,11 +29,13 @@ struct onwards near_onwards_new(const struct gather *gather, int rays);
 
 /* What the receiver gets of *light, a blend of the mesh's points, by rays along
  * these ways; *light is mended as well, and the share is that of the receiver's
- * side, without bumps. What glows hides nothing: mesh points pick it. */
+ * side, without bumps. `glow`, NULL: none, is what of near_glow.h is around: it
+ * lights what is met. */
 struct indirect_share near_field_share(const struct indirect_mesh *mesh,
                                        struct worker *worker,
                                        const struct receiver *receiver,
                                        const struct near_ways *ways,
+                                       const struct indirect_light *glow,
                                        struct indirect_light *light);
 
 /* How much what is so far off counts as what mesh points see past, of what is

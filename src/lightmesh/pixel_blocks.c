@@ -244,8 +244,8 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
     if (place_is_central(block, blocks, worker, number, &receiver) &&
         block_ask(block, blocks, worker, like, coarser)) {
         light->light = block->light;
-        light->share = near_field_share(blocks->mesh, worker, &receiver, ways,
-                                        &light->light);
+        light->share = indirect_mesh_mend(blocks->mesh, worker, &receiver, ways,
+                                          &light->light);
     } else {
         corner_ask(light, blocks->mesh, worker, &receiver, ways);
     }

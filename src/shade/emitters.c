@@ -37,6 +37,10 @@ struct emitters {
         size_t count, capacity;
     } sums; /* of area times glow, up to and with each part */
     double total;
+    struct share_list {
+        struct emitter_share *items;
+        size_t count, capacity;
+    } shares; /* of leaves, of `total` 1 when all are known */
     struct emitter_points points; /* of shapes without patches */
     size_t strewn;                /* how many of these glow */
     bool *picked;                 /* by leaf number: emitters_pick finds it */
@@ -199,10 +203,15 @@ static void add_mesh(struct emitters *emitters, const struct leaf *leaf)
 
 static void add_leaf(void *context, const struct leaf *leaf)
 {
+    struct emitters *emitters = context;
+    const double before = emitters->total;
     if (leaf->object->kind == OBJECT_MESH)
-        add_mesh(context, leaf);
+        add_mesh(emitters, leaf);
     else
-        add_shape(context, leaf);
+        add_shape(emitters, leaf);
+    if (emitters->total > before)
+        *ARRAY_PUSH(emitters->arena, &emitters->shares) =
+            (struct emitter_share){ leaf, before, emitters->total - before };
 }
 
 static void add_solid(void *context, const struct solid *solid)
@@ -237,6 +246,10 @@ struct emitters *emitters_new(const struct world *world, bool strewn)
     if (strewn)
         world_visit(world, count_solid, count_leaf, emitters);
     world_visit(world, add_solid, add_leaf, emitters);
+    for (size_t i = 0; i < emitters->shares.count; i++) {
+        emitters->shares.items[i].from /= emitters->total;
+        emitters->shares.items[i].share /= emitters->total;
+    }
     return emitters;
 }
 
@@ -249,6 +262,13 @@ void emitters_free(struct emitters *emitters)
 bool emitters_any(const struct emitters *emitters)
 {
     return emitters->parts.count > 0;
+}
+
+size_t emitters_shares(const struct emitters *emitters,
+                       const struct emitter_share **shares)
+{
+    *shares = emitters->shares.items;
+    return emitters->shares.count;
 }
 
 static vec3 patch_point(const struct patch *patch, const double u[2])

@@ -30,6 +30,17 @@ struct emitter_pick {
 bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
                    const double u[2], struct emitter_pick *pick);
 
+/* What is picked of one leaf: where `which` is within `share` from `from` on.
+ */
+struct emitter_share {
+    const struct leaf *leaf;
+    double from, share; /* of 1 */
+};
+
+/* Those of all leaves, which stay the emitters'. Returns how many. */
+size_t emitters_shares(const struct emitters *emitters,
+                       const struct emitter_share **shares);
+
 /* The density with which emitters_pick finds what a ray from `point` met at
  * `at`; 0 if it never does. For smooth triangles that of the interpolated
  * normal, which serves as well for weights. */

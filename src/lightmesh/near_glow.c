@@ -1,0 +1,304 @@
+/* See near_glow.h. */
+#include "lightmesh/near_glow.h"
+
+#include "base/warp.h"
+#include "lightmesh/gather_glow.h"
+#include "lightmesh/gather_rays.h"
+#include "lightmesh/near_field.h"
+#include "lightmesh/tuning.h"
+#include "scene/box_tree.h"
+#include "scene/mesh.h"
+#include "scene/primitive.h"
+#include "world/solid.h"
+
+/* A leaf that glows. */
+struct near_leaf {
+    const struct emitter_share *share;
+    struct box3 box; /* in the world */
+    double reach;    /* up to where places find it */
+};
+
+struct near_glow {
+    struct arena *arena;
+    const struct emitters *emitters;
+    size_t count;
+    struct near_leaf *leaves;
+    const struct box_tree *tree; /* of all from where they are in reach */
+    uint32_t *number;            /* by that of the leaf, from 1 on; 0: none */
+    struct near_ways ways;
+};
+
+/* A place that looks for it. */
+struct asking {
+    const struct near_glow *near;
+    const struct gather *gather;
+    struct worker *worker;
+    vec3 place, side;
+    int count; /* leaves in reach, of which each is picked so often: */
+    const struct near_leaf *leaf[NEAR_GLOWS];
+    double odds[NEAR_GLOWS], sum;
+    double reach; /* the longest */
+    struct indirect_light *light;
+    rgb *arriving;
+};
+
+static struct box3 leaf_box(const struct leaf *leaf)
+{
+    const struct object *object = leaf->object;
+    struct box3 box = object->kind == OBJECT_MESH
+                          ? object->mesh->bounds
+                          : object->primitive->bounds(leaf->shape);
+    return affine_box(leaf->pose->outward, box);
+}
+
+static double view_spacing(const struct lattice *lattice,
+                           const struct lattice_view *view, vec3 place)
+{
+    double coarse;
+    int level = lattice_level(lattice, view, place, &coarse);
+    return lattice_spacing(lattice, level) * (1 + coarse);
+}
+
+static struct box3 box_grown(struct box3 box, double by)
+{
+    const vec3 more = vec3_make(by, by, by);
+    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
+}
+
+/* Fills `boxes` with those in which the leaves are in reach. */
+static void near_glow_fill(struct near_glow *near,
+                           const struct lattice *lattice,
+                           const struct lattice_view *view, struct box3 *boxes)
+{
+    const struct emitter_share *shares;
+    const size_t count = emitters_shares(near->emitters, &shares);
+    for (size_t i = 0; i < count; i++) {
+        struct box3 box = leaf_box(shares[i].leaf);
+        if (!box3_is_finite(box) || box3_is_empty(box))
+            continue;
+        vec3 middle = vec3_scale(vec3_add(box.low, box.high), 0.5);
+        double reach = near_glow_reach * view_spacing(lattice, view, middle);
+        boxes[near->count] = box_grown(box, reach);
+        near->leaves[near->count++] =
+            (struct near_leaf){ &shares[i], box, reach };
+        near->number[shares[i].leaf->number] = (uint32_t)near->count;
+    }
+}
+
+struct near_glow *near_glow_new(const struct world *world,
+                                const struct emitters *emitters,
+                                const struct lattice *lattice,
+                                const struct lattice_view *view)
+{
+    const struct emitter_share *shares;
+    const size_t count = emitters ? emitters_shares(emitters, &shares) : 0;
+    if (count == 0)
+        return NULL;
+    struct arena *arena = arena_new(0);
+    struct near_glow *near = ARENA_NEW(arena, struct near_glow);
+    near->arena = arena;
+    near->emitters = emitters;
+    near->leaves = ARENA_ARRAY(arena, struct near_leaf, count);
+    near->number = ARENA_ARRAY(arena, uint32_t, world_leaf_count(world) + 1);
+    struct box3 *boxes = ARENA_ARRAY(arena, struct box3, count);
+    near_glow_fill(near, lattice, view, boxes);
+    near->tree = box_tree_new(arena, boxes, near->count);
+    near->ways = near_ways_new(NEAR_GLOW_RAYS);
+    return near;
+}
+
+void near_glow_free(struct near_glow *near)
+{
+    if (!near)
+        return;
+    near_ways_free(&near->ways);
+    arena_free(near->arena);
+}
+
+double near_glow_share(const struct near_glow *near, const struct leaf *leaf,
+                       double distance)
+{
+    if (!near || !near->number[leaf->number])
+        return 0;
+    const double reach = near->leaves[near->number[leaf->number] - 1].reach;
+    double far = (distance / reach - near_glow_whole) / (1 - near_glow_whole);
+    return fmin(fmax(1 - far, 0), 1);
+}
+
+static double box_distance2(const struct box3 *box, vec3 place)
+{
+    vec3 below = vec3_sub(box->low, place), above = vec3_sub(place, box->high);
+    vec3 out = vec3_make(fmax(fmax(below.x, above.x), 0),
+                         fmax(fmax(below.y, above.y), 0),
+                         fmax(fmax(below.z, above.z), 0));
+    return vec3_dot(out, out);
+}
+
+/* Picked by what it may give. */
+static bool asking_take(void *context, size_t item)
+{
+    struct asking *asking = context;
+    const struct near_leaf *leaf = &asking->near->leaves[item];
+    double apart = box_distance2(&leaf->box, asking->place);
+    if (apart >= leaf->reach * leaf->reach)
+        return false;
+    double least = near_glow_whole * leaf->reach;
+    double odds = leaf->share->share / fmax(apart, least * least);
+    asking->leaf[asking->count] = leaf;
+    asking->odds[asking->count++] = odds;
+    asking->sum += odds;
+    asking->reach = fmax(asking->reach, leaf->reach);
+    return asking->count == NEAR_GLOWS;
+}
+
+/* How densely one ray all around and one to a point picked look there. */
+static double asking_density(const struct asking *asking, vec3 way,
+                             const struct intersection *at)
+{
+    double density = vec3_dot(way, asking->side) / WARP_PI;
+    for (int i = 0; i < asking->count; i++) {
+        const struct emitter_share *share = asking->leaf[i]->share;
+        if (share->leaf == at->leaf)
+            density += asking->odds[i] / asking->sum / share->share *
+                       emitters_density(asking->near->emitters, asking->place,
+                                        way, at);
+    }
+    return density;
+}
+
+static void asking_add(struct asking *asking, const struct ray *ray,
+                       const struct intersection *at)
+{
+    double cosine = vec3_dot(ray->direction, asking->side);
+    double share = near_glow_share(asking->near, at->leaf, at->t);
+    if (!(cosine > 0) || share == 0)
+        return;
+    double density = asking_density(asking, ray->direction, at);
+    rgb glow = rgb_scale(gather_glow_at(asking->gather, ray, at), share);
+    if (!isfinite(density) || rgb_peak(glow) == 0)
+        return;
+    indirect_light_add(asking->light, ray->direction, glow, 0, density);
+    *asking->arriving =
+        rgb_add_scaled(*asking->arriving, glow, cosine / (WARP_PI * density));
+}
+
+/* A packet of rays all around. */
+static void asking_look_around(struct asking *asking, int first)
+{
+    const struct draws none = { 0, 0 };
+    struct gather_rays sent;
+    sent.count = 0;
+    for (int i = first; i < first + RAY_LANES; i++)
+        gather_rays_add(&sent, &none, asking->place,
+                        warp_turned(asking->near->ways.ways[i], asking->side));
+    gather_rays_meet(asking->gather, asking->worker, asking->reach, &sent);
+    for (unsigned i = 0; i < sent.count; i++) {
+        const struct ray ray = rays_at(&sent.rays, (int)i);
+        if (sent.found[i].at.leaf)
+            asking_add(asking, &ray, &sent.found[i].at);
+    }
+}
+
+/* In base 2, of van der Corput. */
+static double radical_inverse(unsigned i)
+{
+    double sum = 0;
+    for (double part = 0.5; i > 0; i /= 2, part /= 2)
+        sum += i % 2 ? part : 0;
+    return sum;
+}
+
+/* However many there are they lie evenly from one end to the other of all in
+ * reach, and on the surface (Roberts 2018). */
+static bool asking_pick(const struct asking *asking, int i,
+                        struct emitter_pick *pick)
+{
+    static const double x = 0.7548776662466927, y = 0.5698402909980532;
+    const double u[2] = { (i + 1) * x - floor((i + 1) * x),
+                          (i + 1) * y - floor((i + 1) * y) };
+    double which = radical_inverse((unsigned)i) * asking->sum;
+    int number = 0;
+    while (number + 1 < asking->count && which >= asking->odds[number])
+        which -= asking->odds[number++];
+    const struct emitter_share *share = asking->leaf[number]->share;
+    which = share->from + which / asking->odds[number] * share->share;
+    return emitters_pick(asking->near->emitters, asking->place, which, u,
+                         pick) &&
+           pick->leaf == share->leaf &&
+           vec3_dot(pick->direction, asking->side) > 0;
+}
+
+/* And of rays to points. */
+static void asking_look_there(struct asking *asking, int first)
+{
+    const struct draws none = { 0, 0 };
+    struct emitter_pick picks[RAY_LANES];
+    struct gather_rays sent;
+    sent.count = 0;
+    for (int i = first; i < first + RAY_LANES; i++)
+        if (asking_pick(asking, i, &picks[sent.count]))
+            gather_rays_add(&sent, &none, asking->place,
+                            picks[sent.count].direction);
+    if (sent.count == 0)
+        return;
+    gather_rays_meet(asking->gather, asking->worker, asking->reach, &sent);
+    for (unsigned i = 0; i < sent.count; i++) {
+        const struct ray ray = rays_at(&sent.rays, (int)i);
+        if (gather_pick_is_met(&picks[i], &sent.found[i].at))
+            asking_add(asking, &ray, &sent.found[i].at);
+    }
+}
+
+/* As many as it takes: most where it is most of the light. */
+static void asking_look(struct asking *asking, double beside)
+{
+    int sent = 0;
+    while (sent < NEAR_GLOW_RAYS) {
+        asking_look_around(asking, sent);
+        asking_look_there(asking, sent);
+        sent += RAY_LANES;
+        if (sent >= NEAR_GLOW_FEW && rgb_brightness(*asking->arriving) <=
+                                         near_glow_little * beside * sent)
+            break;
+    }
+    indirect_light_scale(asking->light, 1 / (float)sent);
+    *asking->arriving = rgb_scale(*asking->arriving, 1.0 / sent);
+}
+
+static bool reaches(void *context, size_t item)
+{
+    *(bool *)context = true;
+    (void)item;
+    return true;
+}
+
+bool near_glow_reaches(const struct near_glow *near, vec3 place)
+{
+    bool any = false;
+    if (near)
+        box_tree_box(near->tree, (struct box3){ place, place }, reaches, &any);
+    return any;
+}
+
+bool near_glow_find(const struct near_glow *near, const struct gather *gather,
+                    struct worker *worker, const struct near_place *place,
+                    struct indirect_light *light, rgb *arriving)
+{
+    if (!near)
+        return false;
+    struct asking asking = { .near = near,
+                             .gather = gather,
+                             .worker = worker,
+                             .place = place->point,
+                             .side = place->side,
+                             .light = light,
+                             .arriving = arriving };
+    const struct box3 here = { place->point, place->point };
+    box_tree_box(near->tree, here, asking_take, &asking);
+    if (asking.count == 0)
+        return false;
+    *light = indirect_light_none;
+    *arriving = rgb_grey(0);
+    asking_look(&asking, rgb_brightness(place->beside));
+    return true;
+}
