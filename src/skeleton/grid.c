@@ -9,10 +9,11 @@
 #include "skeleton/complex.h"
 
 enum {
-    MARGIN = 3,      /* voxels besides those of the box, in all: walls at its
-                      * sides run through the middle of voxels */
-    LIGHTS = 64,     /* that are asked what they see */
-    VOXEL_BYTES = 24 /* of all maps of a skeleton together */
+    MARGIN = 3,         /* voxels besides those of the box, in all: walls at its
+                         * sides run through the middle of voxels */
+    LIGHTS = 64,        /* that are asked what they see */
+    THINGS_BEFORE = 64, /* a wall, when it is looked for */
+    VOXEL_BYTES = 24    /* of all maps of a skeleton together */
 };
 
 /* How many times longer the grid may get to hold the camera, a lamp, or a
@@ -45,12 +46,13 @@ static void stretch(struct box3 *box, vec3 point, double limit)
         *box = larger;
 }
 
+static const vec3 ways[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
+                              { 0, 1, 0 },  { 0, 0, -1 }, { 0, 0, 1 } };
+
 /* Adds what a viewer sees along the axes: walls that have no bounds. */
 static void look_around(struct box3 *box, const struct world *world, vec3 from,
                         double limit)
 {
-    static const vec3 ways[6] = { { -1, 0, 0 }, { 1, 0, 0 },  { 0, -1, 0 },
-                                  { 0, 1, 0 },  { 0, 0, -1 }, { 0, 0, 1 } };
     for (int i = 0; i < 6; i++) {
         struct intersection at;
         struct ray ray = { from, ways[i] };
@@ -58,6 +60,49 @@ static void look_around(struct box3 *box, const struct world *world, vec3 from,
             at.t < far_away)
             stretch(box, at.point, limit);
     }
+}
+
+/* Whether what is met has no bounds, as a plane. */
+static bool is_endless(const struct intersection *at)
+{
+    const struct solid *solid = at->leaf->solid;
+    while (solid && solid->parent)
+        solid = solid->parent;
+    return solid && !solid_is_bounded(solid);
+}
+
+/* The first such thing that a ray meets, at so far at most, whatever stands
+ * before it. */
+static bool find_endless(const struct world *world, const struct ray *ray,
+                         double far, struct intersection *at)
+{
+    double from = 1e-6;
+    for (int i = 0; i < THINGS_BEFORE; i++) {
+        if (!world_closest(world, ray, from, RAY_CAMERA, at) || at->t > far)
+            return false;
+        if (is_endless(at))
+            return true;
+        from = at->t * (1 + 1e-9);
+    }
+    return false;
+}
+
+/* Adds the room whose walls have no bounds, but shut in who stands there, as
+ * six planes do: all of it, however small the things in it are. Whether there
+ * is one. */
+static bool add_room(struct box3 *box, const struct world *world, vec3 from,
+                     double far)
+{
+    struct box3 room = *box;
+    for (int i = 0; i < 6; i++) {
+        const struct ray ray = { from, ways[i] };
+        struct intersection at;
+        if (!find_endless(world, &ray, far, &at))
+            return false;
+        room = box3_add(room, at.point);
+    }
+    *box = room;
+    return true;
 }
 
 struct thing {
@@ -121,6 +166,20 @@ static struct box3 box_of_things(const struct world *world, vec3 eye,
     return box;
 }
 
+/* Adds the room around the camera, or else that around a lamp. */
+static void add_rooms(struct box3 *box, const struct world *world,
+                      const struct camera *camera)
+{
+    size_t count;
+    const struct light *lights = world_lights(world, &count);
+    double size = longest_side(*box);
+    double far = size > 0 ? vast * size : far_away;
+    bool found = add_room(box, world, camera->location, far);
+    for (size_t i = 0; i < count && i < LIGHTS && !found; i++)
+        found = !lights[i].parallel &&
+                add_room(box, world, lights[i].location, far);
+}
+
 /* With the camera in it, unless it is to be `still`: then a camera outside
  * counts for nothing. */
 static struct box3 find_box(const struct world *world,
@@ -132,6 +191,7 @@ static struct box3 find_box(const struct world *world,
     const struct light *lights = world_lights(world, &count);
     if (box3_is_empty(box))
         box = box3_add(box, camera->location);
+    add_rooms(&box, world, camera);
     double size = longest_side(box);
     if (!still)
         stretch(&box, camera->location, camera_stretch * size);

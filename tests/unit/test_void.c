@@ -161,6 +161,10 @@ static void grids_are_around_what_matters(void **state)
         { "plane { y, -4 } plane { -y, -4 } plane { x, -4 } plane { -x, -4 }"
           " plane { z, -4 } plane { -z, -4 } light_source { 0, 1 }",
           0.22 },
+        { "plane { y, -4 } plane { -y, -4 } plane { x, -4 } plane { -x, -4 }"
+          " union { plane { z, -4 } plane { -z, -4 } } box { -.3, .3 }"
+          " light_source { <0, -3.9, 0>, 1 }",
+          0.22 },
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[600];
