@@ -66,6 +66,7 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
     receiver->normal = vec3_negate(receiver->normal);
     receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
     receiver->pixel = NULL;
+    receiver->far_side = true;
     other.albedo = rgb_scale(asker->albedo, asker->behind);
     rgb through = mesh_answer_side(known, worker, &other).irradiance;
     light.irradiance = rgb_add_scaled(light.irradiance, through, asker->behind);

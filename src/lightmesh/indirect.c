@@ -206,10 +206,11 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
     }
     struct indirect_light light;
     bool around = indirect_mesh_blend(mesh, worker, receiver, &light);
-    if (around && (receiver->pixel ||
+    if (around && (receiver->pixel || receiver->far_side ||
                    near_glow_reaches(mesh->near_glow, receiver->point))) {
         const struct indirect_share share = indirect_mesh_mend(
-            mesh, worker, receiver, &mesh->near_lone, &light);
+            mesh, worker, receiver,
+            receiver->far_side ? &mesh->near_more : &mesh->near_lone, &light);
         if (vec3_dot(receiver->normal, receiver->side) >= indirect_pixels_flat)
             return share;
     }
