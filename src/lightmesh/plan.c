@@ -181,8 +181,10 @@ enum mesh_shadows plan_held(const struct light_mesh_settings *said,
 }
 
 /* Whether a place has to do with few lamps, all in all: a spotlight counts by
- * the share of a half space that it lights. */
-static bool lamps_are_few(const struct lamps *lamps)
+ * the share of a half space that it lights. Where the camera's lens blurs them
+ * pixels can't look at lamps together, and these are asked one by one as long
+ * as that costs little more than mesh points do. */
+static bool lamps_are_few(const struct lamps *lamps, bool blurs)
 {
     double felt = 0;
     for (size_t i = 0; i < lamps->count; i++) {
@@ -190,15 +192,18 @@ static bool lamps_are_few(const struct lamps *lamps)
         double edge = fmin(light->falloff, 90) * WARP_PI / 180;
         felt += light->kind == LIGHT_SPOT ? 1 - cos(edge) : 1;
     }
-    return felt <= FEW_LAMPS && lamps->count <= SPOTS_MOST;
+    return felt <= (blurs ? BLURRED_LAMPS : FEW_LAMPS) &&
+           lamps->count <= SPOTS_MOST;
 }
 
-static enum plan_lamps plan_lamps(const struct light_mesh_settings *said,
+static enum plan_lamps plan_lamps(const struct scene *scene,
                                   const struct lamps *asked)
 {
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
     bool sharp = said->shadows == MESH_SHADOWS_SHARP;
     size_t lamps = asked->count;
-    if (said->shadows == MESH_SHADOWS_AUTO && lamps_are_few(asked))
+    if (said->shadows == MESH_SHADOWS_AUTO &&
+        lamps_are_few(asked, camera_blurs(&scene->camera)))
         return PLAN_EACH;
     if (lamps > (sharp ? SHARP_LAMPS : FEW_LAMPS))
         return PLAN_SUMMED;
@@ -309,7 +314,7 @@ struct plan plan_new(const struct scene *scene, const struct lamps *lamps,
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct plan plan = {
-        .lamps = plan_lamps(said, lamps),
+        .lamps = plan_lamps(scene, lamps),
         .finer = plan_finer(said),
         .frame = *frame,
     };

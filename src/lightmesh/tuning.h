@@ -10,11 +10,12 @@
 
 /* Who is asked. */
 enum {
-    FEW_LAMPS = 24,   /* lamps that shadow rays ask one by one, at most; of more
-                       * the light is summed at mesh points [lights-10,
-                       * lights-100, hall] */
-    SPOTS_MOST = 256, /* spotlights count by what they light, of so many lamps
-                       */
+    FEW_LAMPS = 24, /* lamps that shadow rays ask one by one, at most; of more
+                     * the light is summed at mesh points [lights-10,
+                     * lights-100, hall] */
+    BLURRED_LAMPS = 96, /* likewise behind a lens that blurs */
+    SPOTS_MOST = 256,   /* spotlights count by what they light, of so many lamps
+                         */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
     GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
     GATHER_EACH = 3,    /* of so few each */
@@ -296,7 +297,6 @@ static const double near_field_whole = 0.75; /* and what is nearer than that
                                               * share of them they don't */
 static const double near_glow_reach = 5, near_glow_whole = 0.5; /* of glow */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
-
 static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
                                                           * meet something: a
                                                           * corner, a crevice
