@@ -9,7 +9,10 @@
 #include "shade/shadow.h"
 #include "tracer/wavefront.h"
 
-enum { BLUR_LEAST = 4 }; /* rays through a lens, for a variance */
+/* Rays through a lens, before it is asked whether they agree: in POV-Ray as
+ * many (measured: with least numbers of 4 to 7 it draws the same picture). Of
+ * fewer too often none meets a small light, whose blurred disc has holes. */
+enum { BLUR_LEAST = 7 };
 
 /* Rays through the lens, and their squares. */
 struct blur {
