@@ -160,7 +160,8 @@ static bool glow_find(const struct indirect_mesh *mesh, struct worker *worker,
         return false;
     const struct near_place place = {
         receiver->point, receiver->side,
-        indirect_light_share(light, receiver->side).light
+        indirect_light_share(light, receiver->side).light,
+        receiver->pixel ? 1 : fmin(receiver->weight, 1)
     };
     return near_glow_find(mesh->near_glow, &mesh->gather, worker, &place, glow,
                           arriving);
@@ -176,8 +177,10 @@ struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
     rgb arriving;
     if (!glow_find(mesh, worker, receiver, light, &glow, &arriving))
         return near_field_share(mesh, worker, receiver, ways, NULL, light);
-    struct indirect_share share = near_field_share(
-        mesh, worker, receiver, &mesh->near_beside, &glow, light);
+    if (receiver->pixel || receiver->weight >= gather_worth_whole)
+        ways = &mesh->near_beside;
+    struct indirect_share share =
+        near_field_share(mesh, worker, receiver, ways, &glow, light);
     share.light = rgb_add(share.light, arriving);
     indirect_light_mix(light, &glow, 1);
     return share;
@@ -210,7 +213,7 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                    near_glow_reaches(mesh->near_glow, receiver->point))) {
         const struct indirect_share share = indirect_mesh_mend(
             mesh, worker, receiver,
-            receiver->far_side ? &mesh->near_more : &mesh->near_lone, &light);
+            receiver->pixel ? &mesh->near_lone : &mesh->near_more, &light);
         if (vec3_dot(receiver->normal, receiver->side) >= indirect_pixels_flat)
             return share;
     }

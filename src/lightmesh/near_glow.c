@@ -1,6 +1,8 @@
 /* See near_glow.h. */
 #include "lightmesh/near_glow.h"
 
+#include "base/array.h"
+#include "base/draw.h"
 #include "base/warp.h"
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_rays.h"
@@ -34,10 +36,17 @@ struct asking {
     const struct gather *gather;
     struct worker *worker;
     vec3 place, side;
-    int count; /* leaves in reach, of which each is picked so often: */
-    const struct near_leaf *leaf[NEAR_GLOWS];
-    double odds[NEAR_GLOWS], sum;
+    struct near_list {
+        const struct near_leaf **items;
+        size_t count, capacity;
+    } leaves; /* in reach, in the worker's scratch, */
+    struct near_sums {
+        double *items;
+        size_t count, capacity;
+    } sums;       /* and of how often each and those before are picked */
+    double sum;   /* of all */
     double reach; /* the longest */
+    bool around;  /* whether rays go all around as well */
     struct indirect_light *light;
     rgb *arriving;
 };
@@ -134,38 +143,43 @@ static double box_distance2(const struct box3 *box, vec3 place)
     return vec3_dot(out, out);
 }
 
-/* Picked by what it may give. */
+/* How often a leaf is picked: by what it may give. */
+static double asking_odds(const struct asking *asking,
+                          const struct near_leaf *leaf)
+{
+    double least = near_glow_whole * leaf->reach;
+    double apart = box_distance2(&leaf->box, asking->place);
+    return leaf->share->share / fmax(apart, least * least);
+}
+
 static bool asking_take(void *context, size_t item)
 {
     struct asking *asking = context;
     const struct near_leaf *leaf = &asking->near->leaves[item];
-    double apart = box_distance2(&leaf->box, asking->place);
-    if (apart >= leaf->reach * leaf->reach)
+    if (box_distance2(&leaf->box, asking->place) >= leaf->reach * leaf->reach)
         return false;
-    double least = near_glow_whole * leaf->reach;
-    double odds = leaf->share->share / fmax(apart, least * least);
-    asking->leaf[asking->count] = leaf;
-    asking->odds[asking->count++] = odds;
-    asking->sum += odds;
+    asking->sum += asking_odds(asking, leaf);
     asking->reach = fmax(asking->reach, leaf->reach);
-    return asking->count == NEAR_GLOWS;
+    *ARRAY_PUSH(asking->worker->scratch, &asking->leaves) = leaf;
+    *ARRAY_PUSH(asking->worker->scratch, &asking->sums) = asking->sum;
+    return false;
 }
 
-/* How densely one ray all around and one to a point picked look there. */
+/* How densely one ray all around, if there is one, and one to a point picked
+ * look there. */
 static double asking_density(const struct asking *asking, vec3 way,
                              const struct intersection *at)
 {
-    double density = vec3_dot(way, asking->side) / WARP_PI;
-    for (int i = 0; i < asking->count; i++) {
-        const struct emitter_share *share = asking->leaf[i]->share;
-        if (share->leaf == at->leaf)
-            density += asking->odds[i] / asking->sum / share->share *
-                       emitters_density(asking->near->emitters, asking->place,
-                                        way, at);
-    }
-    return density;
+    const struct near_glow *near = asking->near;
+    const struct near_leaf *leaf =
+        &near->leaves[near->number[at->leaf->number] - 1];
+    double density = asking->around ? vec3_dot(way, asking->side) / WARP_PI : 0;
+    return density +
+           asking_odds(asking, leaf) / asking->sum / leaf->share->share *
+               emitters_density(near->emitters, asking->place, way, at);
 }
 
+/* What is met, if it glows within its reach. */
 static void asking_add(struct asking *asking, const struct ray *ray,
                        const struct intersection *at)
 {
@@ -175,16 +189,17 @@ static void asking_add(struct asking *asking, const struct ray *ray,
         return;
     double density = asking_density(asking, ray->direction, at);
     rgb glow = rgb_scale(gather_glow_at(asking->gather, ray, at), share);
-    if (!isfinite(density) || rgb_peak(glow) == 0)
+    if (!(density > 0) || !isfinite(density) || rgb_peak(glow) == 0)
         return;
     indirect_light_add(asking->light, ray->direction, glow, 0, density);
     *asking->arriving =
         rgb_add_scaled(*asking->arriving, glow, cosine / (WARP_PI * density));
 }
 
-/* A packet of rays all around. */
-static void asking_look_around(struct asking *asking, int first)
+/* A packet of rays all around. Returns whether any finds something. */
+static bool asking_look_around(struct asking *asking, int first)
 {
+    _Static_assert(NEAR_GLOW_RAYS % RAY_LANES == 0, "whole packets");
     const struct draws none = { 0, 0 };
     struct gather_rays sent;
     sent.count = 0;
@@ -192,11 +207,13 @@ static void asking_look_around(struct asking *asking, int first)
         gather_rays_add(&sent, &none, asking->place,
                         warp_turned(asking->near->ways.ways[i], asking->side));
     gather_rays_meet(asking->gather, asking->worker, asking->reach, &sent);
+    const rgb before = *asking->arriving;
     for (unsigned i = 0; i < sent.count; i++) {
         const struct ray ray = rays_at(&sent.rays, (int)i);
         if (sent.found[i].at.leaf)
             asking_add(asking, &ray, &sent.found[i].at);
     }
+    return rgb_peak(rgb_sub(*asking->arriving, before)) > 0;
 }
 
 /* In base 2, of van der Corput. */
@@ -216,12 +233,13 @@ static bool asking_pick(const struct asking *asking, int i,
     static const double x = 0.7548776662466927, y = 0.5698402909980532;
     const double u[2] = { (i + 1) * x - floor((i + 1) * x),
                           (i + 1) * y - floor((i + 1) * y) };
-    double which = radical_inverse((unsigned)i) * asking->sum;
-    int number = 0;
-    while (number + 1 < asking->count && which >= asking->odds[number])
-        which -= asking->odds[number++];
-    const struct emitter_share *share = asking->leaf[number]->share;
-    which = share->from + which / asking->odds[number] * share->share;
+    double which = radical_inverse((unsigned)i), part;
+    size_t number =
+        draw_share(asking->sums.items, asking->sums.count, which, &part);
+    const struct emitter_share *share = asking->leaves.items[number]->share;
+    double before = number > 0 ? asking->sums.items[number - 1] : 0;
+    double within = (which * asking->sum - before) / (part * asking->sum);
+    which = share->from + within * share->share;
     return emitters_pick(asking->near->emitters, asking->place, which, u,
                          pick) &&
            pick->leaf == share->leaf &&
@@ -249,20 +267,36 @@ static void asking_look_there(struct asking *asking, int first)
     }
 }
 
-/* As many as it takes: most where it is most of the light. */
+static void asking_mean(struct asking *asking, int sent)
+{
+    indirect_light_scale(asking->light, 1 / (float)sent);
+    *asking->arriving = rgb_scale(*asking->arriving, 1.0 / sent);
+}
+
+/* As many as it takes: most where it is most of the light. What is so small
+ * that none of the first all around finds it is left to those that are picked.
+ */
 static void asking_look(struct asking *asking, double beside)
 {
     int sent = 0;
     while (sent < NEAR_GLOW_RAYS) {
-        asking_look_around(asking, sent);
+        bool found = asking->around && asking_look_around(asking, sent);
         asking_look_there(asking, sent);
+        asking->around = found;
         sent += RAY_LANES;
         if (sent >= NEAR_GLOW_FEW && rgb_brightness(*asking->arriving) <=
                                          near_glow_little * beside * sent)
             break;
     }
-    indirect_light_scale(asking->light, 1 / (float)sent);
-    *asking->arriving = rgb_scale(*asking->arriving, 1.0 / sent);
+    asking_mean(asking, sent);
+}
+
+/* Few, of what is worth little. The most that rays all around would find is
+ * left out: that next to what glows. */
+static void asking_glance(struct asking *asking)
+{
+    asking_look_there(asking, 0);
+    asking_mean(asking, RAY_LANES);
 }
 
 static bool reaches(void *context, size_t item)
@@ -291,14 +325,18 @@ bool near_glow_find(const struct near_glow *near, const struct gather *gather,
                              .worker = worker,
                              .place = place->point,
                              .side = place->side,
+                             .around = true,
                              .light = light,
                              .arriving = arriving };
     const struct box3 here = { place->point, place->point };
     box_tree_box(near->tree, here, asking_take, &asking);
-    if (asking.count == 0)
+    if (asking.leaves.count == 0)
         return false;
     *light = indirect_light_none;
     *arriving = rgb_grey(0);
-    asking_look(&asking, rgb_brightness(place->beside));
+    if (place->worth < near_glow_worth)
+        asking_glance(&asking);
+    else
+        asking_look(&asking, rgb_brightness(place->beside));
     return true;
 }

@@ -35,6 +35,7 @@ struct near_place {
     vec3 point, side; /* unit */
     rgb beside;       /* irradiance of other light: what adds little to it is
                        * looked for by few rays */
+    double worth;     /* of what it gets in the picture, 0 to 1: likewise */
 };
 
 /* What of it arrives there: by direction into *light, as irradiance into

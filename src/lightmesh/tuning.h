@@ -220,9 +220,8 @@ enum {
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
     NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
                            * enough [a meadow] */
-    NEAR_GLOW_RAYS = 64, /* around, and to what glows close to a place, each, */
-    NEAR_GLOW_FEW = 16,  /* of which so many tell whether it matters; */
-    NEAR_GLOWS = 16,     /* things that are picked; */
+    NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, */
+    NEAR_GLOW_FEW = 16,  /* of which so many tell whether that matters; */
     NEAR_BESIDE = 32,    /* to what is close where something glows [furnace] */
     LONE_PLACES = 4,     /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,    /* likewise, of what they were told */
@@ -297,6 +296,7 @@ static const double near_field_whole = 0.75; /* and what is nearer than that
                                               * share of them they don't */
 static const double near_glow_reach = 5, near_glow_whole = 0.5; /* of glow */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
+static const double near_glow_worth = 0.5;  /* what is worth less has few */
 static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
                                                           * meet something: a
                                                           * corner, a crevice
