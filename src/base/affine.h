@@ -104,6 +104,16 @@ static inline bool box3_is_empty(struct box3 a)
 
 bool box3_is_finite(struct box3 a);
 
+/* Squared distance of the point from it; 0 inside. */
+static inline double box3_distance2(struct box3 a, vec3 p)
+{
+    vec3 below = vec3_sub(a.low, p), above = vec3_sub(p, a.high);
+    vec3 out = vec3_make(fmax(fmax(below.x, above.x), 0),
+                         fmax(fmax(below.y, above.y), 0),
+                         fmax(fmax(below.z, above.z), 0));
+    return vec3_dot(out, out);
+}
+
 /* Half of its surface. */
 static inline double box3_half_area(struct box3 a)
 {

@@ -5,6 +5,7 @@
 #ifndef BASE_DRAW_H
 #define BASE_DRAW_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "base/random.h"
@@ -41,6 +42,17 @@ double draw_unit(const struct draws *draws, uint32_t slot);
 
 /* The same samples with slots of their own, for a part of the integrand. */
 struct draws draws_within(const struct draws *draws, uint64_t part);
+
+/* Moves a place in [0,1)^2 on by `number` >= 0: any of them in a row are evenly
+ * spread, however many there are (Roberts, The Unreasonable Effectiveness of
+ * Quasirandom Sequences, 2018). */
+static inline void draw_further(double number, double *x, double *y)
+{
+    *x += number * 0.7548776662466927;
+    *y += number * 0.5698402909980532;
+    *x -= floor(*x);
+    *y -= floor(*y);
+}
 
 /* The item in whose share of a total `which`, in [0,1), lies: sums[i] is that
  * of items 0..i. There must be one. *share is its part of the total. */

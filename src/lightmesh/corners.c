@@ -5,12 +5,6 @@
 
 #include "lightmesh/tuning.h"
 
-/* Bumps take what comes from their own sides. */
-static bool receiver_is_bumpy(const struct receiver *receiver)
-{
-    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
-}
-
 static void corners_hold(struct corners *corners,
                          const struct corners_asker *ask)
 {

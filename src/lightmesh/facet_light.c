@@ -2,6 +2,7 @@
 #include "lightmesh/facet_light.h"
 
 #include "base/memory.h"
+#include "base/draw.h"
 #include "base/random.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/tuning.h"
@@ -207,8 +208,7 @@ static void picks_draw(struct facet_picks *picks, float step, double dither)
     }
 }
 
-/* Where the rays of a site begin: a sequence that fills the plane evenly
- * (Roberts 2018), begun at random. */
+/* Where the rays of a site begin: evenly spread, the first at random. */
 struct facet_start {
     const struct facet_site *site;
     double a, b;
@@ -216,10 +216,8 @@ struct facet_start {
 
 static vec3 start_place(const struct facet_start *start, int number)
 {
-    double a = start->a + number * 0.7548776662466927;
-    double b = start->b + number * 0.5698402909980532;
-    a -= (int)a;
-    b -= (int)b;
+    double a = start->a, b = start->b;
+    draw_further(number, &a, &b);
     if (a + b > 1) {
         a = 1 - a;
         b = 1 - b;

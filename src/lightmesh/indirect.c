@@ -167,22 +167,41 @@ static bool glow_find(const struct indirect_mesh *mesh, struct worker *worker,
                           arriving);
 }
 
+/* By rays along these ways, and by what glows near; without ways only where
+ * that does. Returns whether anything was done. */
+static bool mesh_mend(const struct indirect_mesh *mesh, struct worker *worker,
+                      const struct receiver *receiver,
+                      const struct near_ways *ways,
+                      struct indirect_light *light,
+                      struct indirect_share *share)
+{
+    struct indirect_light glow;
+    rgb arriving;
+    bool glows = glow_find(mesh, worker, receiver, light, &glow, &arriving);
+    if (!glows) {
+        if (ways)
+            *share =
+                near_field_share(mesh, worker, receiver, ways, NULL, light);
+        return ways != NULL;
+    }
+    if (receiver->pixel || receiver->weight >= gather_worth_whole)
+        ways = &mesh->near_beside;
+    else if (!ways)
+        ways = &mesh->near_more;
+    *share = near_field_share(mesh, worker, receiver, ways, &glow, light);
+    share->light = rgb_add(share->light, arriving);
+    indirect_light_mix(light, &glow, 1);
+    return true;
+}
+
 struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
                                          struct worker *worker,
                                          const struct receiver *receiver,
                                          const struct near_ways *ways,
                                          struct indirect_light *light)
 {
-    struct indirect_light glow;
-    rgb arriving;
-    if (!glow_find(mesh, worker, receiver, light, &glow, &arriving))
-        return near_field_share(mesh, worker, receiver, ways, NULL, light);
-    if (receiver->pixel || receiver->weight >= gather_worth_whole)
-        ways = &mesh->near_beside;
-    struct indirect_share share =
-        near_field_share(mesh, worker, receiver, ways, &glow, light);
-    share.light = rgb_add(share.light, arriving);
-    indirect_light_mix(light, &glow, 1);
+    struct indirect_share share;
+    mesh_mend(mesh, worker, receiver, ways, light, &share);
     return share;
 }
 
@@ -207,16 +226,15 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
         gather_closes(gather, worker, receiver, &share);
         return share;
     }
+    const struct near_ways *ways = receiver->pixel      ? &mesh->near_lone
+                                   : receiver->far_side ? &mesh->near_more
+                                                        : NULL;
     struct indirect_light light;
-    bool around = indirect_mesh_blend(mesh, worker, receiver, &light);
-    if (around && (receiver->pixel || receiver->far_side ||
-                   near_glow_reaches(mesh->near_glow, receiver->point))) {
-        const struct indirect_share share = indirect_mesh_mend(
-            mesh, worker, receiver,
-            receiver->pixel ? &mesh->near_lone : &mesh->near_more, &light);
-        if (vec3_dot(receiver->normal, receiver->side) >= indirect_pixels_flat)
-            return share;
-    }
+    struct indirect_share share;
+    if (indirect_mesh_blend(mesh, worker, receiver, &light) &&
+        mesh_mend(mesh, worker, receiver, ways, &light, &share) &&
+        !receiver_is_bumpy(receiver))
+        return share;
     return indirect_light_bumped(&light, receiver->side, receiver->normal);
 }
 

@@ -1,6 +1,7 @@
 /* Lattices of mesh points: see lattice.h. */
 #include "lightmesh/lattice.h"
 
+#include "base/affine.h"
 #include "base/random.h"
 #include "base/smooth.h"
 #include "lightmesh/tuning.h"
@@ -59,15 +60,13 @@ void lattice_make_finer(struct lattice *lattice, int levels)
  * negative. */
 static double region_distance(const struct mesh_region *region, vec3 place)
 {
-    vec3 below = vec3_sub(region->low, place),
-         above = vec3_sub(place, region->high);
-    vec3 out = vec3_make(fmax(below.x, above.x), fmax(below.y, above.y),
-                         fmax(below.z, above.z));
-    double most = fmax(out.x, fmax(out.y, out.z));
-    if (most <= 0)
-        return most;
-    return vec3_length(
-        vec3_make(fmax(out.x, 0), fmax(out.y, 0), fmax(out.z, 0)));
+    const struct box3 box = { region->low, region->high };
+    double apart = box3_distance2(box, place);
+    if (apart > 0)
+        return sqrt(apart);
+    vec3 below = vec3_sub(box.low, place), above = vec3_sub(place, box.high);
+    return fmax(fmax(fmax(below.x, above.x), fmax(below.y, above.y)),
+                fmax(below.z, above.z));
 }
 
 /* How many levels finer the regions make the mesh: finer ones fade out around
@@ -105,6 +104,14 @@ int lattice_level(const struct lattice *lattice,
     double level = floor(exact);
     *blend = smooth_step((exact - level - level_blend) / (1 - level_blend));
     return (int)level;
+}
+
+double lattice_spacing_at(const struct lattice *lattice,
+                          const struct lattice_view *view, vec3 place)
+{
+    double coarse;
+    int level = lattice_level(lattice, view, place, &coarse);
+    return lattice_spacing(lattice, level) * (1 + coarse);
 }
 
 static double rim(double x)

@@ -59,6 +59,10 @@ void lattice_make_finer(struct lattice *lattice, int levels);
 int lattice_level(const struct lattice *lattice,
                   const struct lattice_view *view, vec3 place, double *blend);
 
+/* Distance of neighbours around a place, between levels as the blend says. */
+double lattice_spacing_at(const struct lattice *lattice,
+                          const struct lattice_view *view, vec3 place);
+
 /* A place in units of a level's spacing: lattice points are at integers. They
  * are moved by a fraction, lest they fall on the round numbers that scenes
  * are made of. Farther out than 2^18 units is pressed to the rim. */

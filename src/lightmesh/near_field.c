@@ -2,6 +2,7 @@
 #include "lightmesh/near_field.h"
 
 #include "base/memory.h"
+#include "base/smooth.h"
 #include "base/warp.h"
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/indirect.h"
@@ -22,7 +23,8 @@ struct nearby {
     struct gather gather; /* what is met is lit by the same points */
     struct worker *worker;
     const struct receiver *receiver;
-    double reach; /* of its rays, units */
+    double reach; /* of its rays, units: mesh points that light the place may
+                   * be so far from it */
     const struct near_ways *ways;
     struct along all, hidden;     /* sums of what the points say */
     struct indirect_light met;    /* what comes from what was met, */
@@ -97,8 +99,7 @@ static void nearby_trace(const struct nearby *nearby, int first,
 /* How near that is: what comes into reach does so by and by. */
 double near_field_closeness(double distance, double reach)
 {
-    double far = (distance / reach - near_field_whole) / (1 - near_field_whole);
-    return fmin(fmax(1 - far, 0), 1);
+    return fade_out(distance / reach, near_field_whole);
 }
 
 /* One of them. Returns how much of it counts as met: of what glows as much as
@@ -190,17 +191,6 @@ static bool nearby_look_around(struct nearby *nearby,
     return any;
 }
 
-/* How far from here mesh points may be that light it. */
-static double near_reach(const struct indirect_mesh *mesh,
-                         const struct receiver *receiver)
-{
-    const struct lattice *lattice = &mesh->points.lattice;
-    double coarse;
-    int level =
-        lattice_level(lattice, &receiver->view, receiver->point, &coarse);
-    return near_field_reach * (1 + coarse) * lattice_spacing(lattice, level);
-}
-
 static double share_left(double hidden, double all)
 {
     return all > 0 ? 1 - hidden / all : 1;
@@ -219,7 +209,9 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
         .gather = mesh->gather,
         .worker = worker,
         .receiver = receiver,
-        .reach = near_reach(mesh, receiver),
+        .reach = near_field_reach * lattice_spacing_at(&mesh->points.lattice,
+                                                       &receiver->view,
+                                                       receiver->point),
         .ways = ways,
     };
     nearby.gather.indirect = mesh;

@@ -3,9 +3,11 @@
 
 #include "base/array.h"
 #include "base/draw.h"
+#include "base/smooth.h"
 #include "base/warp.h"
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_rays.h"
+#include "lightmesh/lattice.h"
 #include "lightmesh/near_field.h"
 #include "lightmesh/tuning.h"
 #include "scene/box_tree.h"
@@ -60,14 +62,6 @@ static struct box3 leaf_box(const struct leaf *leaf)
     return affine_box(leaf->pose->outward, box);
 }
 
-static double view_spacing(const struct lattice *lattice,
-                           const struct lattice_view *view, vec3 place)
-{
-    double coarse;
-    int level = lattice_level(lattice, view, place, &coarse);
-    return lattice_spacing(lattice, level) * (1 + coarse);
-}
-
 static struct box3 box_grown(struct box3 box, double by)
 {
     const vec3 more = vec3_make(by, by, by);
@@ -86,7 +80,8 @@ static void near_glow_fill(struct near_glow *near,
         if (!box3_is_finite(box) || box3_is_empty(box))
             continue;
         vec3 middle = vec3_scale(vec3_add(box.low, box.high), 0.5);
-        double reach = near_glow_reach * view_spacing(lattice, view, middle);
+        double reach =
+            near_glow_reach * lattice_spacing_at(lattice, view, middle);
         boxes[near->count] = box_grown(box, reach);
         near->leaves[near->count++] =
             (struct near_leaf){ &shares[i], box, reach };
@@ -130,17 +125,7 @@ double near_glow_share(const struct near_glow *near, const struct leaf *leaf,
     if (!near || !near->number[leaf->number])
         return 0;
     const double reach = near->leaves[near->number[leaf->number] - 1].reach;
-    double far = (distance / reach - near_glow_whole) / (1 - near_glow_whole);
-    return fmin(fmax(1 - far, 0), 1);
-}
-
-static double box_distance2(const struct box3 *box, vec3 place)
-{
-    vec3 below = vec3_sub(box->low, place), above = vec3_sub(place, box->high);
-    vec3 out = vec3_make(fmax(fmax(below.x, above.x), 0),
-                         fmax(fmax(below.y, above.y), 0),
-                         fmax(fmax(below.z, above.z), 0));
-    return vec3_dot(out, out);
+    return fade_out(distance / reach, near_glow_whole);
 }
 
 /* How often a leaf is picked: by what it may give. */
@@ -148,7 +133,7 @@ static double asking_odds(const struct asking *asking,
                           const struct near_leaf *leaf)
 {
     double least = near_glow_whole * leaf->reach;
-    double apart = box_distance2(&leaf->box, asking->place);
+    double apart = box3_distance2(leaf->box, asking->place);
     return leaf->share->share / fmax(apart, least * least);
 }
 
@@ -156,7 +141,7 @@ static bool asking_take(void *context, size_t item)
 {
     struct asking *asking = context;
     const struct near_leaf *leaf = &asking->near->leaves[item];
-    if (box_distance2(&leaf->box, asking->place) >= leaf->reach * leaf->reach)
+    if (box3_distance2(leaf->box, asking->place) >= leaf->reach * leaf->reach)
         return false;
     asking->sum += asking_odds(asking, leaf);
     asking->reach = fmax(asking->reach, leaf->reach);
@@ -226,13 +211,12 @@ static double radical_inverse(unsigned i)
 }
 
 /* However many there are they lie evenly from one end to the other of all in
- * reach, and on the surface (Roberts 2018). */
+ * reach, and on the surface. */
 static bool asking_pick(const struct asking *asking, int i,
                         struct emitter_pick *pick)
 {
-    static const double x = 0.7548776662466927, y = 0.5698402909980532;
-    const double u[2] = { (i + 1) * x - floor((i + 1) * x),
-                          (i + 1) * y - floor((i + 1) * y) };
+    double u[2] = { 0, 0 };
+    draw_further(i + 1, &u[0], &u[1]);
     double which = radical_inverse((unsigned)i), part;
     size_t number =
         draw_share(asking->sums.items, asking->sums.count, which, &part);
@@ -284,8 +268,8 @@ static void asking_look(struct asking *asking, double beside)
         asking_look_there(asking, sent);
         asking->around = found;
         sent += RAY_LANES;
-        if (sent >= NEAR_GLOW_FEW && rgb_brightness(*asking->arriving) <=
-                                         near_glow_little * beside * sent)
+        if (rgb_brightness(*asking->arriving) <=
+            near_glow_little * beside * sent)
             break;
     }
     asking_mean(asking, sent);
@@ -297,21 +281,6 @@ static void asking_glance(struct asking *asking)
 {
     asking_look_there(asking, 0);
     asking_mean(asking, RAY_LANES);
-}
-
-static bool reaches(void *context, size_t item)
-{
-    *(bool *)context = true;
-    (void)item;
-    return true;
-}
-
-bool near_glow_reaches(const struct near_glow *near, vec3 place)
-{
-    bool any = false;
-    if (near)
-        box_tree_box(near->tree, (struct box3){ place, place }, reaches, &any);
-    return any;
 }
 
 bool near_glow_find(const struct near_glow *near, const struct gather *gather,

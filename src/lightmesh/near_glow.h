@@ -27,9 +27,6 @@ void near_glow_free(struct near_glow *near);
 double near_glow_share(const struct near_glow *near, const struct leaf *leaf,
                        double distance);
 
-/* Whether any is in reach of the place. `near` may be NULL. */
-bool near_glow_reaches(const struct near_glow *near, vec3 place);
-
 /* Where it is looked for. */
 struct near_place {
     vec3 point, side; /* unit */

@@ -2,8 +2,9 @@
 #ifndef LIGHTMESH_RECEIVER_H
 #define LIGHTMESH_RECEIVER_H
 
-#include "world/world.h"
 #include "lightmesh/lattice.h"
+#include "lightmesh/tuning.h"
+#include "world/world.h"
 
 struct picture_place;
 
@@ -21,5 +22,11 @@ struct receiver {
     double weight; /* of what it gets in the picture, 0 to 1: what is worth
                     * little is less exact */
 };
+
+/* Bumps take what comes from their own sides. */
+static inline bool receiver_is_bumpy(const struct receiver *receiver)
+{
+    return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
+}
 
 #endif

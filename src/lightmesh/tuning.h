@@ -220,8 +220,8 @@ enum {
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
     NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
                            * enough [a meadow] */
-    NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, */
-    NEAR_GLOW_FEW = 16,  /* of which so many tell whether that matters; */
+    NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, of
+                          * which a packet tells whether that matters; */
     NEAR_BESIDE = 32,    /* to what is close where something glows [furnace] */
     LONE_PLACES = 4,     /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,    /* likewise, of what they were told */

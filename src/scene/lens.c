@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "base/draw.h"
 #include "base/octet_math.h"
 #include "base/random.h"
 #include "scene/material.h"
@@ -54,20 +55,10 @@ void lens_begin(uint64_t key, double begin[2])
     begin[1] = random_unit(random_mix(key));
 }
 
-/* In [0,1)^2, by Roberts' sequence: any number of points in a row are evenly
- * spread. */
-static inline void lens_step(double number, double *x, double *y)
-{
-    *x += number * 0.7548776662466927;
-    *y += number * 0.5698402909980532;
-    *x -= floor(*x);
-    *y -= floor(*y);
-}
-
 static void lens_place(uint64_t key, int i, double place[2])
 {
     lens_begin(key, place);
-    lens_step(i, &place[0], &place[1]);
+    draw_further(i, &place[0], &place[1]);
 }
 
 bool lens_is_disc(int count)
@@ -79,7 +70,7 @@ CLONES static void lens_steps(const double *restrict number, double *restrict x,
                               double *restrict y)
 {
     for (int i = 0; i < RAY_LANES; i++)
-        lens_step(number[i], &x[i], &y[i]);
+        draw_further(number[i], &x[i], &y[i]);
 }
 
 CLONES static void octet_spread(octet *radius, octet *turn)
