@@ -176,8 +176,8 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)
-        more =
-            indirect_mesh_light(gather->indirect, gathering->worker, &receiver);
+        more = indirect_mesh_beyond(gather->indirect, gathering->worker,
+                                    &receiver);
     more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     if (gathering->lamps && gathering->met == 0)
         *gathering->lamps = light;

@@ -216,16 +216,32 @@ struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
                : indirect_light_share(light, receiver->side);
 }
 
+static struct indirect_share share_left(const struct indirect_mesh *mesh,
+                                        struct worker *worker,
+                                        const struct receiver *receiver)
+{
+    struct indirect_share share = mesh->gather.around;
+    gather_closes(&mesh->gather, worker, receiver, &share);
+    return share;
+}
+
+struct indirect_share indirect_mesh_beyond(const struct indirect_mesh *mesh,
+                                           struct worker *worker,
+                                           const struct receiver *receiver)
+{
+    struct indirect_light light;
+    if (indirect_mesh_leaves(mesh, receiver))
+        return share_left(mesh, worker, receiver);
+    indirect_mesh_blend(mesh, worker, receiver, &light);
+    return indirect_light_bumped(&light, receiver->side, receiver->normal);
+}
+
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
                                           const struct receiver *receiver)
 {
-    const struct gather *gather = &mesh->gather;
-    if (indirect_mesh_leaves(mesh, receiver)) {
-        struct indirect_share share = gather->around;
-        gather_closes(gather, worker, receiver, &share);
-        return share;
-    }
+    if (indirect_mesh_leaves(mesh, receiver))
+        return share_left(mesh, worker, receiver);
     const struct near_ways *ways = receiver->pixel      ? &mesh->near_lone
                                    : receiver->far_side ? &mesh->near_more
                                                         : NULL;

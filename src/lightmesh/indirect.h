@@ -110,6 +110,12 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
                                           const struct receiver *receiver);
 
+/* On what a ray from a place met: by mesh points alone. Those who mend send
+ * rays themselves, and would be asked again by these without end. */
+struct indirect_share indirect_mesh_beyond(const struct indirect_mesh *mesh,
+                                           struct worker *worker,
+                                           const struct receiver *receiver);
+
 /* Who answers that, in words. */
 const char *indirect_mesh_source(const struct indirect_mesh *mesh,
                                  const struct receiver *receiver);

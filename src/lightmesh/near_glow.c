@@ -68,6 +68,25 @@ static struct box3 box_grown(struct box3 box, double by)
     return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
 }
 
+/* What is much larger than that both ways, as a lava field or a ceiling that
+ * glows, gives neighbours nearly the same: points know it. */
+static bool box_is_near(struct box3 box, double reach)
+{
+    const vec3 size = vec3_sub(box.high, box.low);
+    const double longest = fmax(size.x, fmax(size.y, size.z)),
+                 shortest = fmin(size.x, fmin(size.y, size.z));
+    const double second = size.x + size.y + size.z - longest - shortest;
+    return second <= near_glow_wide * reach;
+}
+
+/* Whether rays to it take so long that mesh points had better know all of it:
+ * shapes that functions tell. */
+static bool leaf_is_dear(const struct leaf *leaf)
+{
+    return leaf->object->kind == OBJECT_SHAPE &&
+           leaf->object->primitive->first_roughly;
+}
+
 /* Fills `boxes` with those in which the leaves are in reach. */
 static void near_glow_fill(struct near_glow *near,
                            const struct lattice *lattice,
@@ -77,11 +96,14 @@ static void near_glow_fill(struct near_glow *near,
     const size_t count = emitters_shares(near->emitters, &shares);
     for (size_t i = 0; i < count; i++) {
         struct box3 box = leaf_box(shares[i].leaf);
-        if (!box3_is_finite(box) || box3_is_empty(box))
+        if (!box3_is_finite(box) || box3_is_empty(box) ||
+            leaf_is_dear(shares[i].leaf))
             continue;
         vec3 middle = vec3_scale(vec3_add(box.low, box.high), 0.5);
         double reach =
             near_glow_reach * lattice_spacing_at(lattice, view, middle);
+        if (!box_is_near(box, reach))
+            continue;
         boxes[near->count] = box_grown(box, reach);
         near->leaves[near->count++] =
             (struct near_leaf){ &shares[i], box, reach };
@@ -230,14 +252,14 @@ static bool asking_pick(const struct asking *asking, int i,
            vec3_dot(pick->direction, asking->side) > 0;
 }
 
-/* And of rays to points. */
-static void asking_look_there(struct asking *asking, int first)
+/* And of rays to points, up to a packet. */
+static void asking_look_there(struct asking *asking, int first, int count)
 {
     const struct draws none = { 0, 0 };
     struct emitter_pick picks[RAY_LANES];
     struct gather_rays sent;
     sent.count = 0;
-    for (int i = first; i < first + RAY_LANES; i++)
+    for (int i = first; i < first + count; i++)
         if (asking_pick(asking, i, &picks[sent.count]))
             gather_rays_add(&sent, &none, asking->place,
                             picks[sent.count].direction);
@@ -265,7 +287,7 @@ static void asking_look(struct asking *asking, double beside)
     int sent = 0;
     while (sent < NEAR_GLOW_RAYS) {
         bool found = asking->around && asking_look_around(asking, sent);
-        asking_look_there(asking, sent);
+        asking_look_there(asking, sent, RAY_LANES);
         asking->around = found;
         sent += RAY_LANES;
         if (rgb_brightness(*asking->arriving) <=
@@ -277,10 +299,13 @@ static void asking_look(struct asking *asking, double beside)
 
 /* Few, of what is worth little. The most that rays all around would find is
  * left out: that next to what glows. */
-static void asking_glance(struct asking *asking)
+static void asking_glance(struct asking *asking, double worth)
 {
-    asking_look_there(asking, 0);
-    asking_mean(asking, RAY_LANES);
+    int few = (int)(RAY_LANES * worth / near_glow_worth);
+    if (few < NEAR_GLOW_FEW)
+        few = NEAR_GLOW_FEW;
+    asking_look_there(asking, 0, few);
+    asking_mean(asking, few);
 }
 
 bool near_glow_find(const struct near_glow *near, const struct gather *gather,
@@ -304,7 +329,7 @@ bool near_glow_find(const struct near_glow *near, const struct gather *gather,
     *light = indirect_light_none;
     *arriving = rgb_grey(0);
     if (place->worth < near_glow_worth)
-        asking_glance(&asking);
+        asking_glance(&asking, place->worth);
     else
         asking_look(&asking, rgb_brightness(place->beside));
     return true;

@@ -172,8 +172,7 @@ static const double pixel_worth = 3;        /* so much longer: a third of the
 static const double pixel_rays_share = 0.6; /* of few lamps' rays it may take
                                              */
 static const double pixel_rays_most = 0.3;  /* of pairs that a ray may decide */
-static const double pixel_detail_least = 1e-3; /* units: shadow rays begin there
-                                                */
+static const double pixel_detail_least = 1e-3; /* units: shadow rays begin */
 static const double pixel_detail = 0.1; /* of a pixel: no shadow is seen */
 static const double pixel_alike = 0.5;  /* cosine of normals that share light */
 
@@ -191,7 +190,7 @@ enum {
     CLOSED_BOUNCES = 1,  /* when the skeleton knows the rest */
     OPEN_BOUNCES = 1,    /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,   /* rays of a mesh point where they are dear, */
-    GATHER_FEW = 32,     /* and else */
+    GATHER_FEW = 64,     /* and else [truth] */
     CHAMBER_LEAST = 32,  /* the same where little light leaves the scene, */
     CHAMBER_BLIND = 128, /* and where the skeleton doesn't know more than one in
                           * so many of the places they meet [plates_glow], */
@@ -222,6 +221,7 @@ enum {
                            * enough [a meadow] */
     NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, of
                           * which a packet tells whether that matters; */
+    NEAR_GLOW_FEW = 4,   /* to what glows, of what is worth little */
     NEAR_BESIDE = 32,    /* to what is close where something glows [furnace] */
     LONE_PLACES = 4,     /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,    /* likewise, of what they were told */
@@ -235,8 +235,7 @@ static const double indirect_pixels_most = 15200;  /* corners, but for these: */
 static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
-static const double indirect_pixels_bend = 0.8;  /* cosine of normals that share
-                                                  */
+static const double indirect_pixels_bend = 0.8;    /* cosine that shares */
 static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
                                                   * share of its distance */
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */
@@ -295,6 +294,7 @@ static const double near_field_reach = 0.75; /* spacings: what stands farther
 static const double near_field_whole = 0.75; /* and what is nearer than that
                                               * share of them they don't */
 static const double near_glow_reach = 5, near_glow_whole = 0.5; /* of glow */
+static const double near_glow_wide = 2;     /* larger, in reaches: not near */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
 static const double near_glow_worth = 0.5;  /* what is worth less has few */
 static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
@@ -365,7 +365,7 @@ static const double gather_pixels = 76800; /* of a picture of that size, and of
 static const double gather_pixel = 0.2;    /* gather rays for each pixel, */
 static const double gather_pixel_worth = 2.2; /* more for each unit of worth, */
 static const double gather_pixel_most = 2.4;  /* in all; */
-static const double gather_mostly = 0.5;      /* worth beyond which most of the
+static const double gather_mostly = 0.4;      /* worth beyond which most of the
                                                * picture is what is gathered: where
                                                * light leaves the scene, */
 static const double gather_pixel_mostly = 8;  /* more for each unit of that, of
