@@ -69,8 +69,14 @@ double warp_lobe_density(double cosine, double m)
 
 vec3 warp_cone(const double u[2], vec3 axis, double rise)
 {
-    double down = u[0] * rise; /* 1 - cosine */
-    return warp_around(axis, 1 - down, sqrt(fmax(0, down * (2 - down))), u[1]);
+    double x, y;
+    vec3 a, b;
+    warp_disc(u, &x, &y);
+    warp_frame(axis, &a, &b);
+    double down = (x * x + y * y) * rise; /* 1 - cosine */
+    double wide = sqrt(fmax(0, rise * (2 - down)));
+    vec3 v = vec3_along(vec3_scale(axis, 1 - down), a, x * wide);
+    return vec3_normalise(vec3_along(v, b, y * wide));
 }
 
 double warp_cone_density(double rise)
@@ -80,5 +86,7 @@ double warp_cone_density(double rise)
 
 vec3 warp_sphere(const double u[2])
 {
-    return warp_cone(u, vec3_make(0, 0, 1), 2);
+    double down = 2 * u[0]; /* 1 - cosine */
+    return warp_around(vec3_make(0, 0, 1), 1 - down,
+                       sqrt(fmax(0, down * (2 - down))), u[1]);
 }

@@ -42,12 +42,10 @@ int texture_choose(const struct texture_choice *choice, vec3 point,
                    const struct uv_source *surface,
                    struct texture_pick picks[TEXTURE_PICKS], vec3 *located)
 {
-    if (choice->rule) {
-        *located = pattern_locate(&choice->pattern, point);
-        return choice->rule(choice, *located, surface, picks);
-    }
     *located = pattern_locate(&choice->pattern,
                               pattern_start(&choice->pattern, point, surface));
+    if (choice->rule)
+        return choice->rule(choice, *located, surface, picks);
     if (choice->pattern.kind->average)
         return texture_average(choice, picks);
     return texture_of_value(

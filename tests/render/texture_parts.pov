@@ -39,4 +39,12 @@ box { -1, 1
     }
     scale .7 translate <1.2, -1, 0>
 }
+sphere { 0, .6
+    texture {
+        uv_mapping
+        material_map { png "parts/heights_palette.png" interpolate 0
+            texture { A } texture { B } texture { C } }
+    }
+    translate <0, -1.2, -1.6>
+}
 plane { y, -2 texture { tiles { texture { A } tile2 texture { B } } scale .4 } }
