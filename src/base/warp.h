@@ -23,8 +23,8 @@ vec3 warp_turned(vec3 way, vec3 axis);
 double warp_lobe_density(double cosine, double m);
 
 /* Uniform within the cone whose half angle has 1 - cosine = `rise`: the
- * difference keeps its digits when the cone is narrow. By way of the disc, whose
- * middle a grid fills as evenly as its rim. */
+ * difference keeps its digits when the cone is narrow. By way of the disc,
+ * whose middle a grid fills as evenly as its rim. */
 vec3 warp_cone(const double u[2], vec3 axis, double rise);
 double warp_cone_density(double rise);
 

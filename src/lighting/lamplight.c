@@ -1,7 +1,6 @@
 /* One lamp's light: see lamplight.h. */
 #include "lighting/lamplight.h"
 
-#include "scene/photon.h"
 #include "shade/area.h"
 
 static struct lamp_target lamplight_target(const struct lamplight *light,
@@ -14,7 +13,6 @@ static struct lamp_target lamplight_target(const struct lamplight *light,
         .view = *view,
         .leaf = surface->at->leaf,
         .face = surface->at->face,
-        .straight = surface->at->leaf->look->photons->unlit,
     };
 }
 

@@ -205,7 +205,6 @@ static struct lamp_target lamplights_target(const struct lamplights *lights,
                   looks->distance[i], looks->attenuation[i] },
         .leaf = leaf,
         .face = world_face_side(leaf, facets->faces, i),
-        .straight = leaf->look->photons->unlit,
     };
 }
 

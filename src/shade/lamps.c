@@ -73,6 +73,12 @@ static struct lamp_question lamp_question(const struct lamps *lamps,
     };
 }
 
+/* Whether photons bring nothing there: bent light goes straight. */
+static bool target_is_straight(const struct lamp_target *target)
+{
+    return target->leaf && target->leaf->look->photons->unlit;
+}
+
 static struct shadow_path lamp_path(const struct lamps *lamps,
                                     const struct lamp *lamp,
                                     const struct lamp_target *target)
@@ -87,8 +93,9 @@ static struct shadow_path lamp_path(const struct lamps *lamps,
         .misty = lamps->misty,
         .smooth = lamps->smooth,
         .spread = target->spread,
-        .photons =
-            lamps->photons && !target->straight ? &lamp->light->photons : NULL,
+        .photons = lamps->photons && !target_is_straight(target)
+                       ? &lamp->light->photons
+                       : NULL,
     };
 }
 
@@ -195,7 +202,7 @@ static void lamp_fall(const struct lamp_question *q, struct occlusions *ways,
 {
     const struct interiors *inside[RAY_LANES];
     struct shadow_around around = lamps_around(q->lamps, q->lamp, inside);
-    around.straight = q->target->straight ? ~0u : 0;
+    around.straight = target_is_straight(q->target) ? ~0u : 0;
     for (int i = 0; i < RAY_LANES; i++)
         inside[i] = q->target->inside;
     ways->light = q->lamp->number;

@@ -107,7 +107,6 @@ struct lamp_target {
     const struct leaf *leaf;        /* what it is on; NULL: in the open */
     vec3 face;     /* the unit, true, outward normal there, if it is */
     double spread; /* of ways to the lamp: see world_glimpse */
-    bool straight; /* photons bring nothing there: bent light goes straight */
 };
 
 /* The share of the lamp's light that is not in shadow, tinted by filters:
