@@ -29,6 +29,10 @@ static bool field_check(struct parser *p, const struct field *field,
                         struct span start, double number)
 {
     struct span span = span_join(start, p->last_span);
+    if (!isfinite(number) && p->shape) {
+        p->infinite = p->infinite ? p->infinite : field->name;
+        return true;
+    }
     if (!isfinite(number))
         return error_at(p, span, NULL, "'%s' is not a finite number",
                         field->name);

@@ -165,6 +165,25 @@ static struct shape_made *shape_slot(struct parser *p,
     return &p->shapes->slots[said->said[0] % SHAPE_SLOTS];
 }
 
+static void object_leave_out(struct parser *p, struct object **out,
+                             const char *why)
+{
+    const struct span span = (*out)->span;
+    warning_at(p, span, NULL, "'%s' left out: %s", (*out)->primitive->name,
+               why);
+    *out = object_empty(p, span);
+}
+
+/* A shape of which a number was divided by 0 is nowhere, as in POV-Ray. */
+static bool object_far_away(struct parser *p, struct object **out,
+                            const char *infinite)
+{
+    object_leave_out(
+        p, out,
+        arena_printf(p->arena, "its '%s' is not a finite number", infinite));
+    return true;
+}
+
 /* A shape that POV-Ray only warns about is left out of the picture. */
 static bool object_prepare(struct parser *p, struct object **out,
                            const struct primitive *primitive, void *shape)
@@ -177,13 +196,10 @@ static bool object_prepare(struct parser *p, struct object **out,
     if (problem)
         return error_at(p, span, NULL, "impossible '%s': %s", primitive->name,
                         problem);
-    if (warning) {
-        warning_at(p, span, NULL, "'%s' left out: %s", primitive->name,
-                   warning);
-        *out = object_empty(p, span);
-    } else {
+    if (warning)
+        object_leave_out(p, out, warning);
+    else
         object_settle(p->scene_arena, *out);
-    }
     return true;
 }
 
@@ -225,12 +241,17 @@ bool parse_shape(struct parser *p, struct object **out,
         return false;
     const char *outer = p->shape;
     p->shape = rule ? NULL : primitive->name;
+    p->infinite = NULL;
     bool ok =
         rule ? rule(p, shape) : parse_arguments(p, primitive->arguments, shape);
     p->shape = outer;
+    const char *infinite = p->infinite;
     ok = ok && parse_modifiers(p, &m);
-    return block_end(p, open, ok) &&
-           (primitive->alike ? object_prepare_once
+    if (!block_end(p, open, ok))
+        return false;
+    if (infinite)
+        return object_far_away(p, out, infinite);
+    return (primitive->alike ? object_prepare_once
                              : object_prepare)(p, out, primitive, shape);
 }
 

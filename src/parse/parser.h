@@ -71,7 +71,8 @@ struct parser {
     unsigned block_count;
     const struct field *field; /* whose value is being read, or NULL */
     unsigned field_nesting;    /* when its reading began */
-    const char *shape;         /* whose arguments are being read, or NULL */
+    const char *shape;         /* whose arguments are being read, or NULL, */
+    const char *infinite;      /* and the first that isn't finite, or NULL */
     const struct declaring *declaring; /* the #declare being read, or NULL */
     struct span blamed; /* the last token of a value that was reported and
                          * taken: what follows it is not at fault */

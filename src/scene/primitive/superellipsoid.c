@@ -9,9 +9,12 @@ struct superellipsoid {
 
 enum { POWER_MOST = 64 };
 
+/* Smaller ones draw the same (measured). */
+static const double exponent_least = 1e-3;
+
 static const struct field superellipsoid_arguments[] = {
-    { "exponents", FIELD_VECTOR2, offsetof(struct superellipsoid, exponents),
-      1e-3, 1e3, "roundness around z and along z: 0.1 a box, 1 a ball", false },
+    { "exponents", FIELD_VECTOR2, offsetof(struct superellipsoid, exponents), 0,
+      1e3, "roundness around z and along z: 0.1 a box, 1 a ball", false },
     { .name = NULL },
 };
 
@@ -22,6 +25,7 @@ static const char *superellipsoid_prepare(void *shape, struct arena *arena,
     (void)arena;
     (void)warning;
     for (int i = 0; i < 2; i++) {
+        s->exponents[i] = fmax(s->exponents[i], exponent_least);
         double power = 2 / s->exponents[i], near = rint(power);
         bool whole = near <= POWER_MOST && fabs(power - near) < 1e-12 * power;
         s->powers[i] = whole ? (int)near : 0;
