@@ -170,14 +170,16 @@ const char *error_found(struct parser *p)
 }
 
 /* What begins a colour, or a function, in other letters: `Rgb`, `VLength`; and
- * `PI`, `True`, but not `X`, which may be anything. */
-static const char *error_other_case(struct parser *p, const char *text)
+ * `PI`, `True`, but `X`, which may be anything, for a vector only. */
+static const char *error_other_case(struct parser *p, const char *wanted,
+                                    const char *text)
 {
     size_t left;
+    const bool vector = strncmp(wanted, "a vector", 8) == 0;
     enum token_kind next = stream_raw(p, &left)->kind;
     bool called = next == TOKEN_LPAREN;
     const struct word *small = mistaken_case(p, text, strlen(text));
-    if (small->length > 1 && constant_is(p, small->keyword))
+    if ((small->length > 1 || vector) && constant_is(p, small->keyword))
         return small->text;
     if (left == 0 || (!called && next != TOKEN_LESS && next != TOKEN_NUMBER))
         return NULL;
@@ -332,7 +334,7 @@ static const char *error_near(struct parser *p, const char *wanted,
     const char *name = error_nearest(p, wanted, text);
     const char *alike = name && text_equal_nocase(name, text)
                             ? name
-                            : error_other_case(p, text);
+                            : error_other_case(p, wanted, text);
     if (alike)
         return alike;
     if (name)

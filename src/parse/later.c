@@ -33,6 +33,7 @@ static const struct later later[] = {
       "only a reflection depends on the ior" },
     { "distance radius precision", "ovus", "scale <1, 1.2, 1>",
       "its two radii alone make an ovus" },
+    { "tau", "", "2*pi", "a whole turn is two pi" },
     { "akima_spline tcb_spline basic_x_spline extended_x_spline "
       "general_x_spline sor_spline",
       NULL, "cubic_spline", "a cubic_spline is as smooth" },

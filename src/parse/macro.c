@@ -198,6 +198,19 @@ static bool macro_argument(struct parser *p, struct macro_value *out)
     return parse_value(p, &out->value);
 }
 
+/* Its name is to be declared otherwise. Nothing more is said of it. */
+static bool macro_declared(struct parser *p, const struct macro *macro,
+                           struct span at)
+{
+    error_at(p, at, arena_printf(p->arena, "My%s", macro->name->text),
+             "'%s' is a macro already: what is declared here needs another "
+             "name",
+             macro->name->text);
+    note_at(p, macro->span, "it is defined here");
+    symbol_set(p, macro->name, (struct value){ .kind = VALUE_POISON }, false);
+    return false;
+}
+
 /* macro_arguments = "(" [value {[","] value}] ")" . */
 static bool macro_arguments(struct parser *p, const struct macro *macro,
                             struct macro_value *values)
@@ -267,7 +280,9 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
     if (!expression_enter(p))
         return false;
     p->directive = NULL;
-    bool ok = macro_arguments(p, macro, values);
+    bool ok = stream_peek(p)->kind == TOKEN_EQUAL
+                  ? macro_declared(p, macro, at)
+                  : macro_arguments(p, macro, values);
     p->directive = directive;
     p->nesting--;
     if (!ok) {

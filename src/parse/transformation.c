@@ -2,13 +2,22 @@
 #include "parse/rules.h"
 
 /* A factor of 0 would leave nothing of the object; POV-Ray takes 1 for it. */
-static double scale_factor(struct parser *p, struct span span, double factor,
-                           char axis)
+static void scale_mend(struct parser *p, struct span span, vec3 *factors)
 {
-    if (factor != 0)
-        return factor;
-    warning_at(p, span, NULL, "scale 0 along %c is taken as 1", axis);
-    return 1;
+    double *each[] = { &factors->x, &factors->y, &factors->z };
+    const char *axes = "";
+    int count = 0;
+    for (int i = 0; i < 3; i++) {
+        if (*each[i] != 0)
+            continue;
+        *each[i] = 1;
+        axes = arena_printf(p->arena, "%s %s %c", axes, count ? "and" : "along",
+                            "xyz"[i]);
+        count++;
+    }
+    if (count > 0)
+        warning_at(p, span, NULL, "scale 0%s is taken as 1",
+                   count < 3 ? axes : "");
 }
 
 /* scale = "scale" vector . */
@@ -20,9 +29,7 @@ static bool parse_scale(struct parser *p, affine *out)
     if (!parse_vector(p, &factors))
         return false;
     struct span span = span_join(first, p->last_span);
-    factors.x = scale_factor(p, span, factors.x, 'x');
-    factors.y = scale_factor(p, span, factors.y, 'y');
-    factors.z = scale_factor(p, span, factors.z, 'z');
+    scale_mend(p, span, &factors);
     *out = affine_scaling(factors);
     return true;
 }

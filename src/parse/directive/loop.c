@@ -138,10 +138,10 @@ static bool loop_round(struct parser *p, struct open_block *block)
 static bool while_round(struct parser *p)
 {
     struct open_block *block = directive_block(p);
+    p->cursor->index = block->condition;
     if (!loop_round(p, block))
         return false;
     block->changes = p->changes;
-    p->cursor->index = block->condition;
     double condition;
     if (!directive_float(p, &condition))
         return directive_skip_to_end(p) && false;
