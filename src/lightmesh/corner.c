@@ -49,7 +49,7 @@ void corner_ask(struct corner_light *light, const struct indirect_mesh *mesh,
                 const struct near_ways *ways)
 {
     light->share =
-        indirect_mesh_around(mesh, worker, receiver, ways, &light->light);
+        indirect_mesh_around(mesh, worker, receiver, ways, &light->light).share;
 }
 
 bool corner_serves(const struct corner *corner, const struct receiver *receiver)

@@ -172,48 +172,47 @@ static bool glow_find(const struct indirect_mesh *mesh, struct worker *worker,
 static bool mesh_mend(const struct indirect_mesh *mesh, struct worker *worker,
                       const struct receiver *receiver,
                       const struct near_ways *ways,
-                      struct indirect_light *light,
-                      struct indirect_share *share)
+                      struct indirect_light *light, struct near_share *near)
 {
     struct indirect_light glow;
     rgb arriving;
     bool glows = glow_find(mesh, worker, receiver, light, &glow, &arriving);
     if (!glows) {
         if (ways)
-            *share =
-                near_field_share(mesh, worker, receiver, ways, NULL, light);
+            *near = near_field_share(mesh, worker, receiver, ways, NULL, light);
         return ways != NULL;
     }
     if (receiver->pixel || receiver->weight >= gather_worth_whole)
         ways = &mesh->near_beside;
     else if (!ways)
         ways = &mesh->near_more;
-    *share = near_field_share(mesh, worker, receiver, ways, &glow, light);
-    share->light = rgb_add(share->light, arriving);
+    *near = near_field_share(mesh, worker, receiver, ways, &glow, light);
+    near->share.light = rgb_add(near->share.light, arriving);
     indirect_light_mix(light, &glow, 1);
     return true;
 }
 
-struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
-                                         struct worker *worker,
-                                         const struct receiver *receiver,
-                                         const struct near_ways *ways,
-                                         struct indirect_light *light)
+struct near_share indirect_mesh_mend(const struct indirect_mesh *mesh,
+                                     struct worker *worker,
+                                     const struct receiver *receiver,
+                                     const struct near_ways *ways,
+                                     struct indirect_light *light)
 {
-    struct indirect_share share;
-    mesh_mend(mesh, worker, receiver, ways, light, &share);
-    return share;
+    struct near_share near;
+    mesh_mend(mesh, worker, receiver, ways, light, &near);
+    return near;
 }
 
-struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
-                                           struct worker *worker,
-                                           const struct receiver *receiver,
-                                           const struct near_ways *ways,
-                                           struct indirect_light *light)
+struct near_share indirect_mesh_around(const struct indirect_mesh *mesh,
+                                       struct worker *worker,
+                                       const struct receiver *receiver,
+                                       const struct near_ways *ways,
+                                       struct indirect_light *light)
 {
-    return indirect_mesh_blend(mesh, worker, receiver, light)
-               ? indirect_mesh_mend(mesh, worker, receiver, ways, light)
-               : indirect_light_share(light, receiver->side);
+    if (indirect_mesh_blend(mesh, worker, receiver, light))
+        return indirect_mesh_mend(mesh, worker, receiver, ways, light);
+    return (struct near_share){ indirect_light_share(light, receiver->side),
+                                0 };
 }
 
 static struct indirect_share share_left(const struct indirect_mesh *mesh,
@@ -246,11 +245,11 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                    : receiver->far_side ? &mesh->near_more
                                                         : NULL;
     struct indirect_light light;
-    struct indirect_share share;
+    struct near_share near;
     if (indirect_mesh_blend(mesh, worker, receiver, &light) &&
-        mesh_mend(mesh, worker, receiver, ways, &light, &share) &&
+        mesh_mend(mesh, worker, receiver, ways, &light, &near) &&
         !receiver_is_bumpy(receiver))
-        return share;
+        return near.share;
     return indirect_light_bumped(&light, receiver->side, receiver->normal);
 }
 

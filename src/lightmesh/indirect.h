@@ -92,18 +92,18 @@ bool indirect_mesh_blend(const struct indirect_mesh *mesh,
 /* Mends what the points around know by what is close: by rays along `ways`
  * (near_field.h), and by what glows there (near_glow.h). Returns what the
  * receiver's side gets of it, without bumps. */
-struct indirect_share indirect_mesh_mend(const struct indirect_mesh *mesh,
-                                         struct worker *worker,
-                                         const struct receiver *receiver,
-                                         const struct near_ways *ways,
-                                         struct indirect_light *light);
+struct near_share indirect_mesh_mend(const struct indirect_mesh *mesh,
+                                     struct worker *worker,
+                                     const struct receiver *receiver,
+                                     const struct near_ways *ways,
+                                     struct indirect_light *light);
 
 /* Both. */
-struct indirect_share indirect_mesh_around(const struct indirect_mesh *mesh,
-                                           struct worker *worker,
-                                           const struct receiver *receiver,
-                                           const struct near_ways *ways,
-                                           struct indirect_light *light);
+struct near_share indirect_mesh_around(const struct indirect_mesh *mesh,
+                                       struct worker *worker,
+                                       const struct receiver *receiver,
+                                       const struct near_ways *ways,
+                                       struct indirect_light *light);
 
 /* What is worth little is less exact. */
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,

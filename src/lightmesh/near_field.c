@@ -175,20 +175,21 @@ static unsigned nearby_send(struct nearby *nearby, int first,
     return nearby_met(sent);
 }
 
-/* Returns whether anything is near. */
-static bool nearby_look_around(struct nearby *nearby,
-                               const struct indirect_light *light)
+/* Returns what share of them meets something. */
+static double nearby_look_around(struct nearby *nearby,
+                                 const struct indirect_light *light)
 {
-    bool any = false;
+    unsigned any = 0, all = 0;
     for (int first = 0; first < nearby->ways->count; first += RAY_LANES) {
         struct gather_rays sent;
         unsigned met = nearby_send(nearby, first, &sent);
-        any = any || met > 0;
+        any += met;
+        all += sent.count;
         nearby->gather.crevice = share_deep((double)met / sent.count);
-        if (any || first + RAY_LANES < nearby->ways->count)
+        if (any > 0 || first + RAY_LANES < nearby->ways->count)
             nearby_add(nearby, &sent, light);
     }
-    return any;
+    return (double)any / all;
 }
 
 static double share_left(double hidden, double all)
@@ -196,12 +197,12 @@ static double share_left(double hidden, double all)
     return all > 0 ? 1 - hidden / all : 1;
 }
 
-struct indirect_share near_field_share(const struct indirect_mesh *mesh,
-                                       struct worker *worker,
-                                       const struct receiver *receiver,
-                                       const struct near_ways *ways,
-                                       const struct indirect_light *glow,
-                                       struct indirect_light *light)
+struct near_share near_field_share(const struct indirect_mesh *mesh,
+                                   struct worker *worker,
+                                   const struct receiver *receiver,
+                                   const struct near_ways *ways,
+                                   const struct indirect_light *glow,
+                                   struct indirect_light *light)
 {
     struct indirect_light here;
     struct nearby nearby = {
@@ -224,15 +225,15 @@ struct indirect_share near_field_share(const struct indirect_mesh *mesh,
     nearby.gather.virtual_lights = NULL;
     nearby.gather.reach = nearby.reach;
     nearby.gather.onwards = &mesh->near_onwards;
-    bool any = nearby_look_around(&nearby, light);
-    if (any)
+    const double met = nearby_look_around(&nearby, light);
+    if (met > 0)
         indirect_light_dim(light,
                            share_left(nearby.hidden.light, nearby.all.light),
                            share_left(nearby.hidden.open, nearby.all.open));
     struct indirect_share share = indirect_light_share(light, receiver->side);
     share.light = rgb_add(share.light, nearby.shares.light);
     share.open = fmin(share.open + nearby.shares.open, 1);
-    if (any)
+    if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
-    return share;
+    return (struct near_share){ share, met };
 }

@@ -27,16 +27,22 @@ void near_ways_free(struct near_ways *ways);
 /* What is drawn where so many rays go on. */
 struct onwards near_onwards_new(const struct gather *gather, int rays);
 
+/* What a place gets by such rays. */
+struct near_share {
+    struct indirect_share share;
+    double met; /* of the rays, those that meet something: 1 in a crevice */
+};
+
 /* What the receiver gets of *light, a blend of the mesh's points, by rays along
  * these ways; *light is mended as well, and the share is that of the receiver's
  * side, without bumps. `glow`, NULL: none, is what of near_glow.h is around: it
  * lights what is met. */
-struct indirect_share near_field_share(const struct indirect_mesh *mesh,
-                                       struct worker *worker,
-                                       const struct receiver *receiver,
-                                       const struct near_ways *ways,
-                                       const struct indirect_light *glow,
-                                       struct indirect_light *light);
+struct near_share near_field_share(const struct indirect_mesh *mesh,
+                                   struct worker *worker,
+                                   const struct receiver *receiver,
+                                   const struct near_ways *ways,
+                                   const struct indirect_light *glow,
+                                   struct indirect_light *light);
 
 /* How much what is so far off counts as what mesh points see past, of what is
  * within reach: 1 nearby, 0 out of it. */

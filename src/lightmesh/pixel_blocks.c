@@ -31,6 +31,8 @@ struct block {
         int coarser;      /* as it was asked (point_mesh_worth); -1: not yet */
         struct corner corner;
         struct corner_light light;
+        bool deep; /* much is close to it, as under a ball: the next pixel gets
+                    * far more light, or less */
     } places[BLOCK_PLACES];
     int coarser; /* as the middle was asked for what the points around know, */
     bool around; /* whether there are any, */
@@ -241,14 +243,18 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
         corner_receiver(&block->places[number].corner, like, coarser);
     struct corner_light *light = &block->places[number].light;
     const struct near_ways *ways = &blocks->mesh->near_lone;
+    struct near_share near;
     if (place_is_central(block, blocks, worker, number, &receiver) &&
         block_ask(block, blocks, worker, like, coarser)) {
         light->light = block->light;
-        light->share = indirect_mesh_mend(blocks->mesh, worker, &receiver, ways,
-                                          &light->light);
+        near = indirect_mesh_mend(blocks->mesh, worker, &receiver, ways,
+                                  &light->light);
     } else {
-        corner_ask(light, blocks->mesh, worker, &receiver, ways);
+        near = indirect_mesh_around(blocks->mesh, worker, &receiver, ways,
+                                    &light->light);
     }
+    light->share = near.share;
+    block->places[number].deep = near.met > block_deep;
     block->places[number].coarser = coarser;
 }
 
@@ -264,6 +270,45 @@ static bool block_half(const struct block *block,
     return along > BLOCK_EDGE;
 }
 
+/* The place whose part of the block the receiver is in. */
+static int block_nearest(const struct block *block,
+                         const struct pixel_blocks *blocks,
+                         const struct receiver *receiver)
+{
+    int inside[2];
+    for (int axis = 0; axis < 2; axis++) {
+        double along =
+            receiver->pixel->at[axis] * blocks->size[axis] / blocks->step;
+        inside[axis] = (int)along - block->at[axis] * BLOCK_EDGE;
+        inside[axis] = (int)fmin(fmax(inside[axis], 0), BLOCK_EDGE - 1);
+    }
+    return inside[1] * BLOCK_EDGE + inside[0];
+}
+
+/* Whether it can tell what the receiver gets: then it is asked. */
+static bool place_tells(struct block *block, const struct pixel_blocks *blocks,
+                        struct worker *worker, int number,
+                        const struct receiver *receiver)
+{
+    if (!block->hits[number].leaf)
+        return false;
+    if (!block->places[number].placed)
+        place_find(block, blocks, number, receiver);
+    if (!place_serves(block, number, receiver) ||
+        !corner_sees(&block->places[number].corner, blocks->mesh, worker,
+                     receiver))
+        return false;
+    place_ask(block, blocks, worker, number, receiver);
+    return true;
+}
+
+static struct indirect_share place_share(const struct block *block, int number,
+                                         const struct receiver *receiver)
+{
+    return corner_share(&block->places[number].corner,
+                        &block->places[number].light, receiver);
+}
+
 bool pixel_blocks_light(const struct pixel_blocks *blocks,
                         struct worker *worker, const struct receiver *receiver,
                         struct indirect_share *share)
@@ -276,17 +321,19 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
         place_find(block, blocks, BLOCK_MIDDLE, receiver);
     for (int i = 0; i < BLOCK_PLACES; i++) {
         int number = later ? BLOCK_PLACES - 1 - place_order[i] : place_order[i];
-        if (!block->hits[number].leaf)
+        if (!place_tells(block, blocks, worker, number, receiver))
             continue;
-        if (!block->places[number].placed)
-            place_find(block, blocks, number, receiver);
-        if (!place_serves(block, number, receiver) ||
-            !corner_sees(&block->places[number].corner, blocks->mesh, worker,
-                         receiver))
-            continue;
-        place_ask(block, blocks, worker, number, receiver);
-        *share = corner_share(&block->places[number].corner,
-                              &block->places[number].light, receiver);
+        /* Of what is deep two places are right more often than one: so few
+         * rays tell too much, or too little [contact]. */
+        *share = place_share(block, number, receiver);
+        int nearest = block_nearest(block, blocks, receiver);
+        if (block->places[number].deep &&
+            place_tells(block, blocks, worker, nearest, receiver)) {
+            const struct indirect_share there =
+                place_share(block, nearest, receiver);
+            share->light = rgb_mix(share->light, there.light, 0.5);
+            share->open += (there.open - share->open) / 2;
+        }
         return true;
     }
     return false;

@@ -98,8 +98,7 @@ static const double seek_rise = 0.2;   /* points lower than that count less,
                                         * spacings */
 static const double seek_clear = 0.1;  /* of light: panes that let it pass */
 static const double seek_least = 0.03; /* of a place's points that gather: what
-                                        * counts no more isn't asked [pillars]
-                                        */
+                                        * counts less isn't asked [pillars] */
 static const double seek_worth = 0.17; /* and the more of them the less the
                                         * place is worth, down to that [price]
                                         */
@@ -272,8 +271,9 @@ static const double grid_margin = 0.25; /* of a cell, by which a corner is
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
-static const double block_around = 1;    /* spacings: places no farther from the
-                                          * middle ask the same mesh points, */
+static const double block_deep = 0.4; /* of short rays: more meet something */
+static const double block_around = 1; /* spacings: places no farther from the
+                                       * middle ask the same mesh points, */
 static const double block_around_bend = 0; /* if their normals are so near */
 static const double block_beside = 1.5;    /* of that: what is no farther is one
                                             * surface, or shows no difference */
