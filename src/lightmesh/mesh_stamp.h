@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 18 };
+enum { MESH_VERSION = 19 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 

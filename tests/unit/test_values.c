@@ -235,8 +235,8 @@ static void test_errors(void **state)
           "1:19: error: expected a number for 'radius', found a vector with "
           "3 components" },
         { "poly { 99, <1> }", "1:8: error: 'order' must be from 2 to" },
-        { "sphere { <0,1/0,0>, 1 }",
-          "1:10: error: 'centre' is not a finite number" },
+        { "camera { location <0,1/0,0> }",
+          "1:19: error: 'location' is not a finite number" },
     };
     unsigned wrong = 0;
     (void)state;
