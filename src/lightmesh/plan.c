@@ -161,8 +161,10 @@ bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
     if (frame->samples == 0 || said->indirect.samples > 0 ||
         said->density > 0 || points * frame_rays(frame) <= most)
         return false;
-    /* Neighbours share directions: fewer rays blur less than fewer points. */
-    frame_ask(frame, most / points, GATHER_FEW);
+    /* Neighbours share directions: fewer rays blur less than fewer points, but
+     * where light is rough noise is seen before blur is. */
+    const int few = survey->rough > survey->worth ? 2 * GATHER_FEW : GATHER_FEW;
+    frame_ask(frame, most / points, few);
     double crowd = sqrt(points * frame_rays(frame) / most);
     double factor = fmin(fmax(crowd, 1), gather_coarser_most);
     frame->gather *= factor;

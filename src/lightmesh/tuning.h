@@ -36,8 +36,7 @@ static const double pane_least = 0.5; /* of the light they let so much pass */
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
                                                             * isn't said */
 static const double outlook_beside = 0.1; /* share of what is seen, at either
-                                           * end, that says nothing of its size
-                                           */
+                                           * end, that tells nothing of it */
 static const double outlook_bent = 3;     /* of the usual distance: cameras that
                                            * bend lines look all around, at what
                                            * is near as well [camera-cylinder] */
@@ -189,7 +188,8 @@ enum {
     CLOSED_BOUNCES = 1,  /* when the skeleton knows the rest */
     OPEN_BOUNCES = 1,    /* when further rays do: much light leaves the scene */
     GATHER_LEAST = 16,   /* rays of a mesh point where they are dear, */
-    GATHER_FEW = 64,     /* and else [truth] */
+    GATHER_FEW = 32,     /* and else; twice that where single rays bring more
+                          * than all of them change [truth] */
     CHAMBER_LEAST = 32,  /* the same where little light leaves the scene, */
     CHAMBER_BLIND = 128, /* and where the skeleton doesn't know more than one in
                           * so many of the places they meet [plates_glow], */
