@@ -104,6 +104,13 @@ static inline bool box3_is_empty(struct box3 a)
 
 bool box3_is_finite(struct box3 a);
 
+/* By so much on each side. */
+static inline struct box3 box3_grown(struct box3 a, double by)
+{
+    const vec3 more = vec3_make(by, by, by);
+    return (struct box3){ vec3_sub(a.low, more), vec3_add(a.high, more) };
+}
+
 /* Squared distance of the point from it; 0 inside. */
 static inline double box3_distance2(struct box3 a, vec3 p)
 {

@@ -70,13 +70,10 @@ double warp_lobe_density(double cosine, double m)
 vec3 warp_cone(const double u[2], vec3 axis, double rise)
 {
     double x, y;
-    vec3 a, b;
     warp_disc(u, &x, &y);
-    warp_frame(axis, &a, &b);
     double down = (x * x + y * y) * rise; /* 1 - cosine */
     double wide = sqrt(fmax(0, rise * (2 - down)));
-    vec3 v = vec3_along(vec3_scale(axis, 1 - down), a, x * wide);
-    return vec3_normalise(vec3_along(v, b, y * wide));
+    return warp_turned(vec3_make(x * wide, y * wide, 1 - down), axis);
 }
 
 double warp_cone_density(double rise)

@@ -1,8 +1,8 @@
 /* Lamps asked by flat pieces of surface: see facet_light.h. */
 #include "lightmesh/facet_light.h"
 
-#include "base/memory.h"
 #include "base/draw.h"
+#include "base/memory.h"
 #include "base/random.h"
 #include "lightmesh/light_tree.h"
 #include "lightmesh/tuning.h"

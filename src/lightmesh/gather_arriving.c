@@ -62,8 +62,8 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     found.light =
         rgb_add(gather_balanced(gather, &ray, density, 1, &found),
                 gather_picked(gather, gathering->worker, surface, &draws));
-    share.light = rgb_mix(share.light, found.light, 1 / chance);
-    share.open += (found.open - share.open) / chance;
+    const struct indirect_share met = { found.light, found.open };
+    indirect_share_mix(&share, &met, 1 / chance);
     return share;
 }
 
@@ -107,8 +107,8 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
     found.light = gathering_follow(&further, &found.at, &found.glow);
     if (rgb_peak(found.glow) > 0)
         return share;
-    share.light = rgb_mix(share.light, found.light, close);
-    share.open += (found.open - share.open) * close;
+    const struct indirect_share met = { found.light, found.open };
+    indirect_share_mix(&share, &met, close);
     return share;
 }
 

@@ -37,6 +37,15 @@ struct indirect_share {
     double open; /* of the ambient light outside, 0 to 1 */
 };
 
+/* So much of another's for as much of its own. */
+static inline void indirect_share_mix(struct indirect_share *share,
+                                      const struct indirect_share *other,
+                                      double part)
+{
+    share->light = rgb_mix(share->light, other->light, part);
+    share->open += (other->open - share->open) * part;
+}
+
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal);
 

@@ -69,13 +69,6 @@ static bool lone_light(const struct asking *ask, struct indirect_share *share)
                              share);
 }
 
-static void share_blend(struct indirect_share *share,
-                        const struct indirect_share *coarse, double blend)
-{
-    share->light = rgb_mix(share->light, coarse->light, blend);
-    share->open += (coarse->open - share->open) * blend;
-}
-
 /* By corners of a level, and so much by those twice as far apart. */
 static bool corners_blend(struct corners at[2], const struct asking *ask,
                           struct indirect_share *share)
@@ -90,7 +83,7 @@ static bool corners_blend(struct corners at[2], const struct asking *ask,
     if (at[1].sum < indirect_pixels_enough)
         return true;
     struct indirect_share coarse = corners_light(&at[1], &ask->who);
-    share_blend(share, &coarse, ask->blend);
+    indirect_share_mix(share, &coarse, ask->blend);
     return true;
 }
 
@@ -129,8 +122,8 @@ static void coarse_blend(const struct asking *ask, struct indirect_share *share)
     if (coarser.hold != CELL_HOLDS)
         return;
     const struct indirect_share more = corners_flat_share(&coarser);
-    share_blend(share, &more,
-                ask->blend * shares_evenness(coarser.cell->differ));
+    indirect_share_mix(share, &more,
+                       ask->blend * shares_evenness(coarser.cell->differ));
 }
 
 static bool cell_is_even(const struct corners *corners)
@@ -149,7 +142,7 @@ static bool cells_light(const struct corners at[2], double blend,
     *share = corners_flat_share(&at[0]);
     if (mixed) {
         const struct indirect_share coarse = corners_flat_share(&at[1]);
-        share_blend(share, &coarse, blend);
+        indirect_share_mix(share, &coarse, blend);
     }
     return true;
 }
@@ -166,7 +159,7 @@ static bool clipped_light(const struct corners at[2], const struct asking *ask,
         corner_cell_whole(ask->who.store, ask->who.worker, at[1].cell,
                           ask->who.receiver)) {
         const struct indirect_share coarse = corners_flat_share(&at[1]);
-        share_blend(share, &coarse, ask->blend);
+        indirect_share_mix(share, &coarse, ask->blend);
     }
     return true;
 }
@@ -203,7 +196,7 @@ static bool grid_light(const struct asking *ask, struct indirect_share *share)
     else if (!fine_light(at, ask, share))
         return false;
     else if (enough > 0)
-        share_blend(share, &coarse, enough);
+        indirect_share_mix(share, &coarse, enough);
     return true;
 }
 

@@ -62,21 +62,13 @@ static struct box3 leaf_box(const struct leaf *leaf)
     return affine_box(leaf->pose->outward, box);
 }
 
-static struct box3 box_grown(struct box3 box, double by)
-{
-    const vec3 more = vec3_make(by, by, by);
-    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
-}
-
 /* What is much larger than that both ways, as a lava field or a ceiling that
  * glows, gives neighbours nearly the same: points know it. */
 static bool box_is_near(struct box3 box, double reach)
 {
     const vec3 size = vec3_sub(box.high, box.low);
-    const double longest = fmax(size.x, fmax(size.y, size.z)),
-                 shortest = fmin(size.x, fmin(size.y, size.z));
-    const double second = size.x + size.y + size.z - longest - shortest;
-    return second <= near_glow_wide * reach;
+    const double wide = near_glow_wide * reach;
+    return (size.x > wide) + (size.y > wide) + (size.z > wide) < 2;
 }
 
 /* Whether rays to it take so long that mesh points had better know all of it:
@@ -104,7 +96,7 @@ static void near_glow_fill(struct near_glow *near,
             near_glow_reach * lattice_spacing_at(lattice, view, middle);
         if (!box_is_near(box, reach))
             continue;
-        boxes[near->count] = box_grown(box, reach);
+        boxes[near->count] = box3_grown(box, reach);
         near->leaves[near->count++] =
             (struct near_leaf){ &shares[i], box, reach };
         near->number[shares[i].leaf->number] = (uint32_t)near->count;
@@ -150,22 +142,22 @@ double near_glow_share(const struct near_glow *near, const struct leaf *leaf,
     return fade_out(distance / reach, near_glow_whole);
 }
 
-/* How often a leaf is picked: by what it may give. */
-static double asking_odds(const struct asking *asking,
-                          const struct near_leaf *leaf)
+/* How often a leaf is picked that is so far off, squared: by what it may give.
+ */
+static double leaf_odds(const struct near_leaf *leaf, double apart2)
 {
     double least = near_glow_whole * leaf->reach;
-    double apart = box3_distance2(leaf->box, asking->place);
-    return leaf->share->share / fmax(apart, least * least);
+    return leaf->share->share / fmax(apart2, least * least);
 }
 
 static bool asking_take(void *context, size_t item)
 {
     struct asking *asking = context;
     const struct near_leaf *leaf = &asking->near->leaves[item];
-    if (box3_distance2(leaf->box, asking->place) >= leaf->reach * leaf->reach)
+    const double apart2 = box3_distance2(leaf->box, asking->place);
+    if (apart2 >= leaf->reach * leaf->reach)
         return false;
-    asking->sum += asking_odds(asking, leaf);
+    asking->sum += leaf_odds(leaf, apart2);
     asking->reach = fmax(asking->reach, leaf->reach);
     *ARRAY_PUSH(asking->worker->scratch, &asking->leaves) = leaf;
     *ARRAY_PUSH(asking->worker->scratch, &asking->sums) = asking->sum;
@@ -181,8 +173,9 @@ static double asking_density(const struct asking *asking, vec3 way,
     const struct near_leaf *leaf =
         &near->leaves[near->number[at->leaf->number] - 1];
     double density = asking->around ? vec3_dot(way, asking->side) / WARP_PI : 0;
+    double odds = leaf_odds(leaf, box3_distance2(leaf->box, asking->place));
     return density +
-           asking_odds(asking, leaf) / asking->sum / leaf->share->share *
+           odds / asking->sum / leaf->share->share *
                emitters_density(near->emitters, asking->place, way, at);
 }
 

@@ -327,12 +327,11 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
          * rays tell too much, or too little [contact]. */
         *share = place_share(block, number, receiver);
         int nearest = block_nearest(block, blocks, receiver);
-        if (block->places[number].deep &&
+        if (block->places[number].deep && nearest != number &&
             place_tells(block, blocks, worker, nearest, receiver)) {
             const struct indirect_share there =
                 place_share(block, nearest, receiver);
-            share->light = rgb_mix(share->light, there.light, 0.5);
-            share->open += (there.open - share->open) / 2;
+            indirect_share_mix(share, &there, 0.5);
         }
         return true;
     }

@@ -170,7 +170,7 @@ static const double pixel_worth = 3;        /* so much longer: a third of the
 static const double pixel_rays_share = 0.6; /* of few lamps' rays it may take
                                              */
 static const double pixel_rays_most = 0.3;  /* of pairs that a ray may decide */
-static const double pixel_detail_least = 1e-3; /* units: shadow rays begin */
+static const double pixel_detail_least = 1e-3; /* units: rays begin there */
 static const double pixel_detail = 0.1; /* of a pixel: no shadow is seen */
 static const double pixel_alike = 0.5;  /* cosine of normals that share light */
 
@@ -234,7 +234,7 @@ static const double indirect_pixels_most = 15200;  /* corners, but for these: */
 static const double indirect_pixels_near = 4.5;    /* apart at least, pixels */
 static const double indirect_pixels_far = 18;      /* and at most */
 static const double indirect_pixels_flat = 0.9999; /* cosine: no bump */
-static const double indirect_pixels_bend = 0.8;    /* cosine that shares */
+static const double indirect_pixels_bend = 0.8;    /* cosine: normals share */
 static const double indirect_pixels_rise = 0.3;  /* of a corner over the plane,
                                                   * share of its distance */
 static const double indirect_pixels_lift = 0.05; /* of a corner's distance */

@@ -174,16 +174,6 @@ static void object_leave_out(struct parser *p, struct object **out,
     *out = object_empty(p, span);
 }
 
-/* A shape of which a number was divided by 0 is nowhere, as in POV-Ray. */
-static bool object_far_away(struct parser *p, struct object **out,
-                            const char *infinite)
-{
-    object_leave_out(
-        p, out,
-        arena_printf(p->arena, "its '%s' is not a finite number", infinite));
-    return true;
-}
-
 /* A shape that POV-Ray only warns about is left out of the picture. */
 static bool object_prepare(struct parser *p, struct object **out,
                            const struct primitive *primitive, void *shape)
@@ -249,8 +239,13 @@ bool parse_shape(struct parser *p, struct object **out,
     ok = ok && parse_modifiers(p, &m);
     if (!block_end(p, open, ok))
         return false;
-    if (infinite)
-        return object_far_away(p, out, infinite);
+    if (infinite) { /* it is nowhere, as in POV-Ray */
+        object_leave_out(p, out,
+                         arena_printf(p->arena,
+                                      "its '%s' is not a finite number",
+                                      infinite));
+        return true;
+    }
     return (primitive->alike ? object_prepare_once
                              : object_prepare)(p, out, primitive, shape);
 }

@@ -38,12 +38,6 @@ enum {
  */
 static const double box_margin = 1e-7;
 
-static struct box3 box_wider(struct box3 box, double margin)
-{
-    const vec3 more = vec3_make(margin, margin, margin);
-    return (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
-}
-
 static double box_diagonal(struct box3 box)
 {
     return vec3_length(vec3_sub(box.high, box.low));
@@ -63,7 +57,7 @@ static const struct box_tree *mesh_tree(const struct mesh *mesh,
         ARENA_ARRAY(boxes_arena, struct box3, mesh->triangle_count);
     double margin = box_margin * box_diagonal(mesh->bounds);
     for (size_t i = 0; i < mesh->triangle_count; i++)
-        boxes[i] = box_wider(mesh_triangle_box(mesh, i), margin);
+        boxes[i] = box3_grown(mesh_triangle_box(mesh, i), margin);
     const struct box_tree *tree =
         box_tree_new(arena, boxes, mesh->triangle_count);
     arena_free(boxes_arena);
@@ -120,7 +114,7 @@ static bool children_boxes(const struct object *object, struct box3 *boxes)
     double margin = box_margin * box_diagonal(all);
     for (size_t i = 0; i < count; i++)
         boxes[i] = box3_is_empty(boxes[i]) ? (struct box3){ all.low, all.low }
-                                           : box_wider(boxes[i], margin);
+                                           : box3_grown(boxes[i], margin);
     return isfinite(margin);
 }
 

@@ -76,9 +76,7 @@ static struct box3 cell_around(const struct parametric_cell *cell,
     double more = cell->bend + 1e-9 * (vec3_length(cell->centre) +
                                        vec3_length(cell->across[0]) +
                                        vec3_length(cell->across[1]));
-    vec3 margin = { more, more, more };
-    return (struct box3){ vec3_sub(box.low, margin),
-                          vec3_add(box.high, margin) };
+    return box3_grown(box, more);
 }
 
 /* The side to halve, or -1: it is flat enough. */

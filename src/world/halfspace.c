@@ -102,7 +102,5 @@ struct box3 halfspaces_box(const struct halfspace *halfspaces, int count,
     if (box3_is_empty(box))
         return region; /* nothing, or too flat to be sure */
     double slack = 1e-6 * (1 + vec3_length(box.low) + vec3_length(box.high));
-    vec3 more = { slack, slack, slack };
-    box = (struct box3){ vec3_sub(box.low, more), vec3_add(box.high, more) };
-    return box3_intersection(box, region);
+    return box3_intersection(box3_grown(box, slack), region);
 }
