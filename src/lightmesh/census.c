@@ -49,7 +49,8 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
     struct draws draws = { key, (uint32_t)bounce };
     struct intersection at;
     double u[2];
-    bool lamps = census->direct->lamps->count > GATHER_LAMPS;
+    bool lamps =
+        census->direct->many || census->direct->lamps->count > GATHER_LAMPS;
     if (!mesh->next && !lamps) /* they ask no point */
         return;
     draw_pair(&draws, GATHER_DIRECTION, u);

@@ -20,9 +20,10 @@ rgb gather_lamps(const struct gather *gather, struct worker *worker,
                                      surface->at->leaf };
     struct receiver asked = *receiver;
     asked.view.coarser = HIT_LEVELS;
-    if (gather->direct && lamps->count > GATHER_LAMPS &&
+    const struct direct_mesh *direct = gather->direct;
+    if (direct && (direct->many || lamps->count > GATHER_LAMPS) &&
         !scene_lamps_choose(lamps->scene))
-        return direct_mesh_nearest(gather->direct, worker, &asked,
+        return direct_mesh_nearest(direct, worker, &asked,
                                    gather_jitter(draws));
     if (lamps->count <= GATHER_EACH && !again)
         return each_lamp_light(lamps, worker, draws, GATHER_LAMP, &place);

@@ -182,11 +182,18 @@ enum mesh_shadows plan_held(const struct light_mesh_settings *said,
                : MESH_SHADOWS_SOFT;
 }
 
-/* Whether a place has to do with few lamps, all in all: a spotlight counts by
- * the share of a half space that it lights. Where the camera's lens blurs them
- * pixels can't look at lamps together, and these are asked one by one as long
- * as that costs little more than mesh points do. */
-static bool lamps_are_few(const struct lamps *lamps, bool blurs)
+/* Whether it was said what the points in space are to be, or where they go or
+ * come from: then they light the picture. */
+static bool mesh_is_said(const struct light_mesh_settings *said)
+{
+    return said->shadows != MESH_SHADOWS_AUTO || said->density > 0 ||
+           said->radius > 0 || said->levels > 0 || said->threshold > 0 ||
+           said->regions.count > 0 || said->save_file || said->load_file;
+}
+
+/* Whether a place has to do with few lamps, all in all, `most` of them: a
+ * spotlight counts by the share of a half space that it lights. */
+static bool lamps_are_few(const struct lamps *lamps, double most)
 {
     double felt = 0;
     for (size_t i = 0; i < lamps->count; i++) {
@@ -194,8 +201,7 @@ static bool lamps_are_few(const struct lamps *lamps, bool blurs)
         double edge = fmin(light->falloff, 90) * WARP_PI / 180;
         felt += light->kind == LIGHT_SPOT ? 1 - cos(edge) : 1;
     }
-    return felt <= (blurs ? BLURRED_LAMPS : FEW_LAMPS) &&
-           lamps->count <= SPOTS_MOST;
+    return felt <= most && lamps->count <= SPOTS_MOST;
 }
 
 static enum plan_lamps plan_lamps(const struct scene *scene,
@@ -205,7 +211,7 @@ static enum plan_lamps plan_lamps(const struct scene *scene,
     bool sharp = said->shadows == MESH_SHADOWS_SHARP;
     size_t lamps = asked->count;
     if (said->shadows == MESH_SHADOWS_AUTO &&
-        lamps_are_few(asked, camera_blurs(&scene->camera)))
+        lamps_are_few(asked, mesh_is_said(said) ? FEW_LAMPS : EACH_LAMPS))
         return PLAN_EACH;
     if (lamps > (sharp ? SHARP_LAMPS : FEW_LAMPS))
         return PLAN_SUMMED;
@@ -298,15 +304,6 @@ static void plan_indirect(struct plan *plan,
     plan->indirect.closed = frame->closed;
     plan->indirect.onward = (close || !frame->closed) && !said->indirect.dark;
     plan->indirect.lattice.spacing *= frame->gather / frame->spacing;
-}
-
-/* Whether it was said what the points in space are to be, or where they go or
- * come from: then they light the picture. */
-static bool mesh_is_said(const struct light_mesh_settings *said)
-{
-    return said->shadows != MESH_SHADOWS_AUTO || said->density > 0 ||
-           said->radius > 0 || said->levels > 0 || said->threshold > 0 ||
-           said->regions.count > 0 || said->save_file || said->load_file;
 }
 
 struct plan plan_new(const struct scene *scene, const struct lamps *lamps,

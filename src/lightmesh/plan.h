@@ -15,8 +15,8 @@
 
 /* How lamps are asked. */
 enum plan_lamps {
-    PLAN_EACH,    /* each by shadow rays. Mesh points do not see what falls
-                   * between them, and cost more than those of two dozen lamps */
+    PLAN_EACH,    /* each by shadow rays: mesh points do not see what falls
+                   * between them */
     PLAN_BLENDED, /* each at the mesh points around; of area lights shadow rays,
                    * which make their shadows soft anyway */
     PLAN_SETTLED, /* by shadow rays those on which the mesh points around

@@ -10,14 +10,14 @@
 
 /* Who is asked. */
 enum {
-    FEW_LAMPS = 24, /* lamps that shadow rays ask one by one, at most; of more
-                     * the light is summed at mesh points [lights-10,
-                     * lights-100, hall] */
-    BLURRED_LAMPS = 96, /* likewise behind a lens that blurs */
-    SPOTS_MOST = 256,   /* spotlights count by what they light, of so many lamps
-                         */
+    EACH_LAMPS = 96,    /* lamps that shadow rays ask one by one, at most, as
+                         * under rays; of more the light is summed at mesh points
+                         * [lights-100; firs of cones, 30 lamps: FLIP .21 -> 0] */
+    FEW_LAMPS = 24,     /* the same where it is said what the mesh is to be; and
+                         * known one by one there [hall] */
+    SPOTS_MOST = 256,   /* spotlights count by what they light, of so many */
     SHARP_LAMPS = 1000, /* the same where `shadows sharp` is said [hall] */
-    GATHER_LAMPS = 24,  /* of which a gather ray asks one itself [room] */
+    GATHER_LAMPS = 96,  /* of which gather rays ask one, if not a sum [room] */
     GATHER_EACH = 3,    /* of so few each */
     DRAWN_LAMPS = 8,    /* of which it is drawn */
 };

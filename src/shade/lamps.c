@@ -6,6 +6,16 @@
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
+/* The steps that the grids of area lights leave in their penumbras are
+ * independent of each other: beside those of others no one's are seen. Each is
+ * looked at */
+enum {
+    SOFT_THOROUGHLY = 1, /* closely, also where it is lit, if there are so few,
+                          */
+    SOFT_FINELY = 4      /* or where it is half hidden; of more as their author
+                          * has it */
+};
+
 struct lamps lamps_new(const struct world *world, const struct scene *scene,
                        int quality, uint64_t seed)
 {
@@ -25,8 +35,10 @@ struct lamps lamps_new(const struct world *world, const struct scene *scene,
     lamps.smooth = quality < QUALITY_BUMPS;
     lamps.plain = lamps.clear && world_is_opaque(world);
     lamps.items = memory_new(lamps.count * sizeof *lamps.items);
-    for (size_t i = 0; i < lamps.count; i++)
+    for (size_t i = 0; i < lamps.count; i++) {
         lamps.items[i] = lamp_new(&lights[i], (int)i);
+        lamps.soft += lamps_soft(&lamps, &lamps.items[i]);
+    }
     return lamps;
 }
 
@@ -311,8 +323,10 @@ static rgb lamp_share(struct lamp_question *q, const struct area_grid *grid,
         rgb_scale(q->lamp->light->colour, q->target->view.attenuation);
     if (q->clear && q->shaft->count == 0)
         return rgb_grey(1);
-    return fine ? area_outline(grid, arriving, !q->shaft->crowded, lamp_see, q)
-                : area_visibility(grid, arriving, lamp_see, q);
+    if (!fine)
+        return area_visibility(grid, arriving, lamp_see, q);
+    bool thorough = !q->shaft->crowded && q->lamps->soft <= SOFT_THOROUGHLY;
+    return area_outline(grid, arriving, thorough, lamp_see, q);
 }
 
 static rgb lamps_share_grid(struct lamp_question *q, bool fine)
@@ -341,7 +355,7 @@ rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
     if (!lamp_casts(lamps, lamp) || !lamps_soft(lamps, lamp))
         return lamps_share_point(lamps, lamp, worker, target);
     struct lamp_question q = lamp_question(lamps, lamp, worker, target);
-    return lamps_share_grid(&q, true);
+    return lamps_share_grid(&q, lamps->soft <= SOFT_FINELY);
 }
 
 /* A light that turns to each point turns by so little within the piece. */

@@ -15,6 +15,7 @@ struct lamps {
     const struct scene *scene;
     struct lamp *items;
     size_t count;
+    size_t soft;   /* how many of them are (lamps_soft) */
     int quality;   /* +Q */
     bool photons;  /* they bring the light that is bent on its way */
     uint64_t seed; /* of the jitter of area lights */
@@ -125,7 +126,7 @@ static inline rgb lamps_share_plain(const struct lamps *lamps,
     return rgb_grey(dark ? 0 : 1);
 }
 
-/* The same, nearer the true share of an area light. */
+/* The same, nearer the true share of an area light where there are few. */
 rgb lamps_share_fine(const struct lamps *lamps, const struct lamp *lamp,
                      struct worker *worker, const struct lamp_target *target);
 
