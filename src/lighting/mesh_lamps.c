@@ -156,15 +156,14 @@ static struct lamplights_known mesh_foresee(const struct lamplights *lights,
 {
     const struct mesh_lamps *mesh = lights->knows;
     struct lamplights_known known = { 0, 0 };
-    if (!lights->facets->places)
-        return known;
     for (; lanes; lanes &= lanes - 1) {
         int i = __builtin_ctz(lanes);
         const struct facets *facets = lights->facets;
         vec3 way = rays_direction(&lights->ways.rays, i);
         bool shines;
         if (!(vec3_dot(way, facets_side(facets, (unsigned)i)) > 0) ||
-            !pixel_mesh_sees(mesh->knowers->pixels, &facets->places[i], lamp,
+            !facets->place[i] ||
+            !pixel_mesh_sees(mesh->knowers->pixels, facets->place[i], lamp,
                              &shines))
             continue;
         known.lit |= (unsigned)shines << i;

@@ -55,7 +55,7 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
         return;
     draw_pair(&draws, GATHER_DIRECTION, u);
     struct ray ray = { from->point, warp_lobe(u, from->side, 1) };
-    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_REFLECTION,
+    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_GATHER,
                        &at))
         return;
     struct receiver receiver = receiver_at(&ray, &at, mesh->gather.view);
@@ -77,7 +77,7 @@ static bool tally_met(struct tally *tally, const struct ray *ray, double share,
     const struct census *census = tally->census;
     const struct indirect_mesh *mesh = census->indirect;
     if (!world_closest(mesh->points.world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, at))
+                       RAY_GATHER, at))
         return false;
     struct receiver receiver = receiver_at(ray, at, census->indirect_view);
     receiver.view.coarser++;
@@ -129,8 +129,7 @@ static void tally_ray(struct tally *tally, double x, double y, uint64_t key)
     const struct world *world = census->direct->points.world;
     struct ray ray = camera_ray(&census->scene->camera, x, y);
     struct intersection at;
-    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_CAMERA,
-                       &at))
+    if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_SIGHT, &at))
         return;
     struct receiver receiver = receiver_at(&ray, &at, census->direct_view);
     bool known =

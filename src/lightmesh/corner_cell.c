@@ -57,7 +57,7 @@ static double clipping_clear(const struct clipping *clipping, vec3 from,
     struct glimpse glimpse = { 0, length, gather_spread };
     clipping->worker->counters.shadow_rays++;
     return world_glimpse(clipping->store->mesh->points.world, &ray, glimpse,
-                         RAY_REFLECTION, &at)
+                         RAY_GATHER, &at)
                ? at.t / length
                : 1;
 }

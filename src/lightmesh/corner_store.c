@@ -122,7 +122,7 @@ static void corner_look(struct corner *corner, const struct corner_store *store,
     corner->met = false;
     corner->reach = 0;
     const struct glimpse glimpse = { 0, length, gather_spread };
-    if (world_glimpse(store->mesh->points.world, &line, glimpse, RAY_CAMERA,
+    if (world_glimpse(store->mesh->points.world, &line, glimpse, RAY_SIGHT,
                       &at)) {
         corner_meet(corner, store->mesh, like, &line, &at);
         /* Far off a cell may be larger than those of the mesh. */

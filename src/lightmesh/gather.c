@@ -146,7 +146,7 @@ static bool gathering_trace(struct gathering *gathering,
         return at->leaf;
     gathering->worker->counters.shadow_rays++;
     return world_glimpse(gathering->gather->lamps->world, &gathering->ray,
-                         glimpse, RAY_REFLECTION, at);
+                         glimpse, RAY_GATHER, at);
 }
 
 rgb gathering_follow(struct gathering *gathering, struct intersection *first,

@@ -99,7 +99,7 @@ static struct indirect_share gathering_here(const struct gathering *gathering,
     gathering->worker->counters.shadow_rays++;
     const struct glimpse near = { surface_offset(surface->point), gather->reach,
                                   gather_spread };
-    if (!world_glimpse(gather->lamps->world, &further.ray, near, RAY_REFLECTION,
+    if (!world_glimpse(gather->lamps->world, &further.ray, near, RAY_GATHER,
                        &found.at))
         return share;
     double close =

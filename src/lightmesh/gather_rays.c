@@ -75,7 +75,7 @@ void gather_rays_meet(const struct gather *gather, struct worker *worker,
     sent->lit.lanes = 0;
     worker->counters.shadow_rays += sent->count;
     world_closest_many(gather->lamps->world, &sent->rays, &span, sent->count,
-                       RAY_REFLECTION, hits);
+                       RAY_GATHER, hits);
     for (unsigned i = 0; i < sent->count; i++) {
         const struct ray ray = rays_at(&sent->rays, (int)i);
         sent->found[i].at.leaf = NULL;

@@ -50,8 +50,8 @@ static unsigned picks_look(const struct gather *gather, struct worker *worker,
     }
     rays_fill(&rays, &span, count);
     worker->counters.shadow_rays += count;
-    world_closest_many(gather->lamps->world, &rays, &span, count,
-                       RAY_REFLECTION, hits);
+    world_closest_many(gather->lamps->world, &rays, &span, count, RAY_GATHER,
+                       hits);
     for (unsigned i = 0; i < count; i++)
         if (!hits[i].leaf)
             found[met++] = seen[i];

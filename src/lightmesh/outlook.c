@@ -25,7 +25,7 @@ static bool outlook_meets(const struct world *world, const struct ray *ray,
 {
     double from = 1e-4;
     for (int i = 0; i < SURVEY_PANES; i++) {
-        if (!world_closest(world, ray, from, RAY_CAMERA, at))
+        if (!world_closest(world, ray, from, RAY_SIGHT, at))
             return false;
         if (rgb_brightness(surface_transmittance(at)) < pane_least)
             return texture_takes_light(at->texture);

@@ -114,6 +114,20 @@ static bool block_is_known(const struct block *block,
            last[1] < around->top + around->rows;
 }
 
+/* What it meets, unless that is clear. */
+static bool place_is_known(struct block *block,
+                           const struct pixel_blocks *blocks, int number,
+                           const struct first_hits *around)
+{
+    int pixel[2];
+    place_pixel(block, blocks, number, pixel);
+    const struct world_hit *hit = first_hits_at(around, pixel[0], pixel[1]);
+    if (hit->leaf && hit->leaf->look->clear)
+        return false;
+    block->hits[number] = *hit;
+    return true;
+}
+
 /* What the camera sees through the block: of a small picture those who ask have
  * looked there already. */
 static void block_look(struct block *block, const struct pixel_blocks *blocks,
@@ -132,12 +146,8 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks,
         block->places[i].coarser = -1;
         if (!block_ray(block, blocks, i))
             continue;
-        if (known) {
-            int pixel[2];
-            place_pixel(block, blocks, i, pixel);
-            block->hits[i] = *first_hits_at(around, pixel[0], pixel[1]);
+        if (known && place_is_known(block, blocks, i, around))
             continue;
-        }
         vec3 origin = block->rays[i].origin;
         rays_set(&rays, (int)count, origin, block->rays[i].direction);
         span.near[count] = surface_offset(origin);
@@ -146,7 +156,7 @@ static void block_look(struct block *block, const struct pixel_blocks *blocks,
     }
     rays_fill(&rays, &span, count);
     world_closest_many(blocks->mesh->points.world, &rays, &span, count,
-                       RAY_CAMERA, hits);
+                       RAY_SIGHT, hits);
     for (unsigned i = 0; i < count; i++)
         block->hits[number[i]] = hits[i];
 }

@@ -85,7 +85,7 @@ static void choose_row(void *context, size_t row, unsigned thread)
     int x = stagger_first(mesh->stagger, mesh->level, hits->left, y);
     int step = stagger_step(mesh->stagger, mesh->level);
     for (; x < hits->left + hits->columns; x += step)
-        if (first_hits_at(hits, x, y)->leaf && !pixel_is_served(mesh, x, y))
+        if (first_hits_seen(hits, x, y) && !pixel_is_served(mesh, x, y))
             *number_at(mesh, x, y) = 0;
 }
 

@@ -92,7 +92,7 @@ static rgb scalar_incoming(const struct scalar_mesh *mesh,
     struct surface surface;
     worker->counters.shadow_rays++;
     if (!world_closest(mesh->lamps->world, ray, surface_offset(ray->origin),
-                       RAY_REFLECTION, &at))
+                       RAY_GATHER, &at))
         return rgb_grey(0);
     gather_surface(&gather, ray, &at, &surface);
     return scalar_mean(mesh, worker, &surface);

@@ -29,7 +29,7 @@ static bool sight_find(struct sight *sight, const struct gather *gather,
         return false;
     struct ray ray = camera_ray(camera, x, y);
     for (int i = 0; i < SURVEY_PANES; i++) {
-        if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_CAMERA,
+        if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_SIGHT,
                            &sight->at))
             return false;
         gather_surface(gather, &ray, &sight->at, &sight->surface);

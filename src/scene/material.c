@@ -183,6 +183,24 @@ bool texture_mirrors(const struct texture *texture)
     return false;
 }
 
+bool texture_shines(const struct texture *texture)
+{
+    for (size_t i = 0; i < texture->count; i++) {
+        const struct finish *finish = texture->layers[i].finish;
+        if (finish->phong != 0 || finish->specular != 0 ||
+            finish->film.amount != 0)
+            return true;
+    }
+    return false;
+}
+
+bool interior_passes(const struct interior *interior)
+{
+    return interior->ior == 1 && interior->dispersion == 1 &&
+           interior->caustics == 0 &&
+           (interior->fade_power == 0 || interior->fade_distance == 0);
+}
+
 bool texture_takes_light(const struct texture *texture)
 {
     for (size_t i = 0; i < texture->count; i++)

@@ -233,6 +233,10 @@ struct material {
 
 struct interior interior_default(void);
 
+/* Whether light goes straight on where it enters or leaves, and none of it is
+ * lost, but for media. */
+bool interior_passes(const struct interior *interior);
+
 /* Opaque black, as POV-Ray's. */
 struct pigment pigment_default(struct arena *arena);
 
@@ -287,6 +291,9 @@ bool texture_is_even(const struct texture *texture);
 
 /* Whether any layer does, that of a choice included. */
 bool texture_mirrors(const struct texture *texture);
+
+/* Whether lamps leave highlights on some layer of it. */
+bool texture_shines(const struct texture *texture);
 
 /* Whether light that comes to any layer is scattered. */
 bool texture_takes_light(const struct texture *texture);

@@ -94,6 +94,7 @@ void facets_set(struct facets *facets, unsigned i,
     facets->leaf[i] = surface->at->leaf;
     facets->inside[i] = surface->inside;
     facets->worth[i] = surface->weight;
+    facets->place[i] = surface->place;
     facets->layered |= (unsigned)layered << i;
     facets->many[i] = flag(layered);
     facets->twice[i] = flag(twice);

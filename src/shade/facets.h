@@ -39,11 +39,10 @@ struct facets {
     unsigned blended; /* plain ones of a choice */
     facet_surface *tell;
     void *context;
-    double bailout;                     /* as of a surface_view */
-    const struct world_faces *faces;    /* that they are */
-    const struct picture_place *places; /* where the camera sees each; NULL:
-                                         * none is seen at first sight */
-    const struct surface *surface[RAY_LANES]; /* NULL: not told yet */
+    double bailout;                               /* as of a surface_view */
+    const struct world_faces *faces;              /* that they are */
+    const struct picture_place *place[RAY_LANES]; /* as a surface's */
+    const struct surface *surface[RAY_LANES];     /* NULL: not told yet */
     const struct leaf *leaf[RAY_LANES];
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */
     double worth[RAY_LANES];                   /* as a surface's weight */

@@ -56,8 +56,7 @@ static void look_around(struct box3 *box, const struct world *world, vec3 from,
     for (int i = 0; i < 6; i++) {
         struct intersection at;
         struct ray ray = { from, ways[i] };
-        if (world_closest(world, &ray, 1e-6, RAY_CAMERA, &at) &&
-            at.t < far_away)
+        if (world_closest(world, &ray, 1e-6, RAY_SIGHT, &at) && at.t < far_away)
             stretch(box, at.point, limit);
     }
 }
@@ -78,7 +77,7 @@ static bool find_endless(const struct world *world, const struct ray *ray,
 {
     double from = 1e-6;
     for (int i = 0; i < THINGS_BEFORE; i++) {
-        if (!world_closest(world, ray, from, RAY_CAMERA, at) || at->t > far)
+        if (!world_closest(world, ray, from, RAY_SIGHT, at) || at->t > far)
             return false;
         if (is_endless(at))
             return true;

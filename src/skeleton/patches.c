@@ -221,7 +221,7 @@ static rgb beyond_arriving(const struct patches_scene *from,
     if (rgb_peak(point->albedo) == 0)
         return rgb_grey(0);
     if (!world_closest(from->world, &ray, surface_offset(ray.origin),
-                       RAY_REFLECTION, &next.at))
+                       RAY_GATHER, &next.at))
         return ambience_beyond(ambience, ray.direction);
     patch_look(&next, ray.direction);
     return beyond_sends(from, &next,

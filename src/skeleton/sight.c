@@ -18,8 +18,7 @@ static bool sight_end(const struct sight *sight, const struct ray *ray,
 {
     *through = rgb_grey(1);
     for (int i = 0; i < CROSSINGS; i++) {
-        if (!world_closest(sight->skeleton->world, ray, tmin, RAY_REFLECTION,
-                           at))
+        if (!world_closest(sight->skeleton->world, ray, tmin, RAY_GATHER, at))
             return false;
         *wall = wall_stops(sight->skeleton->marks, at);
         if (*wall)

@@ -133,8 +133,7 @@ static void measure_line(const struct line *line)
     double offset = 1e-5 * work->voxels->edge, tmin = 0;
     bool begun = false;
     for (int i = 0; i < CROSSINGS; i++) {
-        if (!world_closest(work->world, &line->ray, tmin, RAY_REFLECTION,
-                           &at) ||
+        if (!world_closest(work->world, &line->ray, tmin, RAY_GATHER, &at) ||
             at.t >= line->length)
             break;
         tmin = at.t + offset;

@@ -338,7 +338,7 @@ static void flight_follow(struct flight *flight)
     while (--*flight->meetings >= 0 && !worker_stopped(flight->worker)) {
         bool land = flight->bent;
         if (!world_closest(world, &flight->ray,
-                           surface_offset(flight->ray.origin), RAY_OBSTACLE,
+                           surface_offset(flight->ray.origin), RAY_PHOTON,
                            &crossing.at)) {
             flight_drift(flight, (double)INFINITY);
             return;

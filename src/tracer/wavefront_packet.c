@@ -75,6 +75,8 @@ static void sights_paint(struct sights *sights)
         facets_paint(&sights->facets, sights->hits, sights->plain);
     for (unsigned each = sights->plain; each; each &= each - 1) {
         unsigned i = (unsigned)__builtin_ctz(each);
+        const struct path *path = sights->path[i];
+        sights->facets.place[i] = path ? path->place : sight_place(sights, i);
         sights->facets.inside[i] = sight_inside(sights, i);
         sights->facets.worth[i] = sight_worth(sights, i);
     }
@@ -143,7 +145,6 @@ static unsigned sights_meet(struct sights *sights, unsigned seen)
     if (!meet)
         return 0;
     facets_start(&sights->facets, sights->rays, &sights->faces);
-    sights->facets.places = sights->places;
     sights->facets.bailout = tracer->scene->settings.adc_bailout;
     sights->facets.tell = sights_surface;
     sights->facets.context = sights;
@@ -215,7 +216,8 @@ static void sight_go_on(struct sights *sights, unsigned i, rgb light)
 {
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
-    path->place = NULL;
+    if (!facets->leaf[i]->look->clear)
+        path->place = NULL;
     if (facets->leaf[i]->look->opaque && !(facets->layered >> i & 1)) {
         struct surface_paint paint = facets_paint_of(facets, i);
         path_leave_plain(path, facets->leaf[i], &paint, light);

@@ -51,7 +51,7 @@ void packet_to_lamp(struct packet *packet, const struct occlusions *asked,
     packet->light = asked->light;
     packet->filter = asked->filter;
     packet->context = asked->context;
-    packet->kind = RAY_OBSTACLE;
+    packet->kind = RAY_PHOTON;
     packet_span(packet, &asked->span, limit);
     packet_start(packet, &asked->rays, lanes, boxed);
 }

@@ -69,18 +69,32 @@ static inline bool leaf_casts(const struct leaf *leaf, int light)
 /* Whether a ray of that kind that looks for the nearest sees it. */
 static inline bool leaf_is_seen(const struct leaf *leaf, enum ray_kind kind)
 {
-    if (kind == RAY_OBSTACLE)
-        return !leaf->look->no_shadow;
-    return kind == RAY_CAMERA ? !leaf->look->no_image
-                              : !leaf->look->no_reflection;
+    const struct leaf_look *look = leaf->look;
+    switch (kind) {
+    case RAY_CAMERA:
+        return !look->no_image;
+    case RAY_REFLECTION:
+        return !look->no_reflection;
+    case RAY_SIGHT:
+        return !look->no_image && !look->clear;
+    case RAY_GATHER:
+        return !look->no_reflection && !look->clear;
+    case RAY_PHOTON:
+        return !look->no_shadow;
+    case RAY_OBSTACLE:
+        break;
+    }
+    return !look->no_shadow && !look->clear;
 }
 
 /* Whether the ray sees the leaf at all. */
 static inline bool query_sees(const struct query *query,
                               const struct leaf *leaf)
 {
-    return query->occlusion ? leaf_casts(leaf, query->light)
-                            : leaf_is_seen(leaf, query->kind);
+    if (!query->occlusion)
+        return leaf_is_seen(leaf, query->kind);
+    return leaf_casts(leaf, query->light) &&
+           (query->filter || !leaf->look->clear);
 }
 
 /* Up to where a crossing may win, be it in a tie, of a best one so far. */

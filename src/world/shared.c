@@ -65,6 +65,10 @@ static void look_judge(struct leaf_look *look)
     if (look->tinted)
         look->tint =
             texture_transmittance(look->texture, vec3_make(0, 0, 0), NULL);
+    look->clear = look->tinted &&
+                  rgb_is_black(rgb_sub(look->tint, rgb_grey(1))) &&
+                  !all.mirrors && !texture_shines(look->texture) &&
+                  (!look->interior || interior_passes(look->interior));
 }
 
 const struct leaf_look *shared_look(struct shared *shared, struct arena *arena,

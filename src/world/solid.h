@@ -59,6 +59,7 @@ struct leaf_look {
     bool spatial; /* and the same on any surface there (texture_is_spatial) */
     bool last;    /* it is plain, and no ray goes on from it: it is opaque and
                    * mirrors nothing */
+    bool clear;   /* nothing of it is seen: it is there for what it holds */
     bool tinted;  /* it lets the same light pass all over it: */
     rgb tint;
 };

@@ -35,7 +35,10 @@ bool world_is_opaque(const struct world *world);
 enum ray_kind {
     RAY_CAMERA,     /* sees all but no_image objects */
     RAY_REFLECTION, /* all but no_reflection objects */
-    RAY_OBSTACLE,   /* all but no_shadow objects */
+    RAY_SIGHT,      /* as the camera, but for clear objects */
+    RAY_GATHER,     /* as reflections, but for clear objects */
+    RAY_PHOTON,     /* all but no_shadow objects */
+    RAY_OBSTACLE,   /* the same but for clear objects */
 };
 
 /* Where a ray meets the scene. */
@@ -148,8 +151,8 @@ struct occlusion {
 };
 
 /* Whether an opaque thing lies on the ray between tmin and tmax, or the filter
- * said blocked; without one whatever lies there. no_shadow leaves don't count.
- */
+ * said blocked; without one whatever lies there, unless it is clear. no_shadow
+ * leaves don't count. */
 bool world_occluded(const struct world *world,
                     const struct occlusion *occlusion);
 

@@ -79,6 +79,7 @@ static void test_shares_as_asked(void **state)
     struct tally tally = { 0 };
     (void)state;
     stage_start(&stage, things);
+    stage.lamps.soft = 1; /* each is looked at as closely as one alone */
     struct penumbras *penumbras = stage_penumbras(&stage, 2);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++)

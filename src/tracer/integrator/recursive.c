@@ -324,7 +324,8 @@ bool path_arrive(struct path *path, struct crossing *crossing,
                   settings->adc_bailout, false);
     crossing->surface.place = path->place;
     crossing->surface.weight = path->weight;
-    path->place = NULL;
+    if (!crossing->at.leaf->look->clear)
+        path->place = NULL;
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
