@@ -26,14 +26,6 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
     return rgb_add_scaled(found->light, found->glow, left * once - 1);
 }
 
-rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
-                    const struct gathered_ray *found)
-{
-    return glow_density(gather, ray, found) > 0
-               ? rgb_sub(found->light, found->glow)
-               : found->light;
-}
-
 rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
                    const struct intersection *at)
 {

@@ -21,10 +21,6 @@ rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
 bool gather_pick_is_met(const struct emitter_pick *pick,
                         const struct intersection *at);
 
-/* The same without the glow of what gather_pick finds: it is no surprise. */
-rgb gather_unpicked(const struct gather *gather, const struct ray *ray,
-                    const struct gathered_ray *found);
-
 /* A place that glows. */
 struct gathered_glow {
     vec3 direction;

@@ -46,27 +46,11 @@ double harmonics_weighted_share(const float share[HARMONICS],
     return fmin(fmax(sum, 0), 1);
 }
 
-rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
-                         double brilliance)
-{
-    double weights[HARMONICS];
-    harmonics_weights(normal, brilliance, weights);
-    return harmonics_weighted(harmonics, weights);
-}
-
 double harmonics_share(const float share[HARMONICS], vec3 normal)
 {
     double weights[HARMONICS];
     harmonics_weights(normal, 1, weights);
     return harmonics_weighted_share(share, weights);
-}
-
-rgb harmonics_received(const void *context, vec3 place, vec3 normal,
-                       const void *harmonics)
-{
-    (void)context;
-    (void)place;
-    return harmonics_irradiance(harmonics, normal, 1);
 }
 
 /* Order 1 is the vector sum of the light, x, y and z in places 3, 1 and 2. */
@@ -95,4 +79,45 @@ rgb harmonics_total(const struct harmonics *h)
     return rgb_scale(
         rgb_make((double)h->r[0], (double)h->g[0], (double)h->b[0]),
         1 / basis[0]);
+}
+
+/* Of so much of its light that vector is at least, where it comes from one side
+ * alone. */
+static const double beam_least = 0.9;
+
+/* Takes out what comes from about one direction, which is the more the nearer
+ * all of it does: straight on harmonics of order 2 make 17/16 of that. */
+static rgb harmonics_take_beam(struct harmonics *harmonics, vec3 *direction)
+{
+    rgb beam, total = harmonics_total(harmonics);
+    *direction = harmonics_direction(harmonics, &beam);
+    double one_sided =
+        (beam.r + beam.g + beam.b) / (total.r + total.g + total.b);
+    double share = (one_sided - beam_least) / (1 - beam_least);
+    if (!(share > 0))
+        return rgb_grey(0);
+    beam = rgb_scale(beam, fmin(share, 1));
+    harmonics_add(harmonics, *direction, rgb_scale(beam, -1));
+    return beam;
+}
+
+rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
+                         double brilliance)
+{
+    double weights[HARMONICS];
+    struct harmonics rest = *harmonics;
+    vec3 direction;
+    rgb beam = harmonics_take_beam(&rest, &direction);
+    harmonics_weights(normal, brilliance, weights);
+    double cosine = fmax(vec3_dot(normal, direction), 0);
+    return rgb_add_scaled(harmonics_weighted(&rest, weights), beam,
+                          pow(cosine, brilliance));
+}
+
+rgb harmonics_received(const void *context, vec3 place, vec3 normal,
+                       const void *harmonics)
+{
+    (void)context;
+    (void)place;
+    return harmonics_irradiance(harmonics, normal, 1);
 }

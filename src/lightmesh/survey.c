@@ -109,10 +109,12 @@ static rgb sight_add_behind(const struct sight *sight, const struct sums *sums,
     if (!(behind > 0))
         return rgb_grey(0);
     double along = vec3_dot(ray.direction, surface->side);
+    double density = along / WARP_PI;
     ray.direction = vec3_along(ray.direction, surface->side, -2 * along);
     gather_radiance(sums->gather, worker, &ray, draws, &more);
     found->light = rgb_add_scaled(found->light, more.light, behind);
-    return rgb_scale(gather_unpicked(sums->gather, &ray, &more), behind);
+    return rgb_scale(gather_balanced(sums->gather, &ray, density, 1, &more),
+                     behind);
 }
 
 /* What the picture shows of so much light. */
@@ -141,15 +143,14 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
         *hit = gathered_hit(&ray, &found, wall);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
-        rgb rest = gather_unpicked(sums->gather, &ray, &found);
+        double density = vec3_dot(ray.direction, sight->surface.side) / WARP_PI;
+        rgb rest = gather_balanced(sums->gather, &ray, density, 1, &found);
         hit->light = fmax(sight_brought(sight, rest, found.open), 0);
         rest = rgb_add(
             rest, sight_add_behind(sight, sums, worker, ray, &draws, &found));
         double whole = sight_brought(sight, rest, found.open);
-        sums->brought[first + (size_t)i] = (struct brought){
-            whole, vec3_dot(ray.direction, sight->surface.side) / WARP_PI,
-            hit->lamps
-        };
+        sums->brought[first + (size_t)i] =
+            (struct brought){ whole, density, hit->lamps };
         brought += whole;
         double closed = ambient * (1 - fmin(found.open, 1));
         changed += rgb_brightness(rgb_mul(sight->albedo, found.light)) + closed;

@@ -11,4 +11,4 @@ box { <-1e5, -1e5, -12.1>, <0, 1e5, -12>
   pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }
 plane { -z, 0 pigment { rgb .8 } finish { ambient 0 diffuse 1 } }
 box { <-50, -50, -.04>, <50, 50, -.02>
-  pigment { rgbt 1 } finish { ambient 0 } }
+  pigment { rgb 1 transmit .999 } finish { ambient 0 } }
