@@ -9,7 +9,6 @@
 #include "scene/material.h"
 #include "scene/mesh.h"
 #include "scene/primitive.h"
-#include "shade/emitter_box.h"
 #include "shade/emitter_points.h"
 
 enum {
@@ -45,7 +44,6 @@ struct emitters {
     struct emitter_points points; /* of shapes without patches */
     size_t strewn;                /* how many of these glow */
     bool *picked;                 /* by leaf number: emitters_pick finds it */
-    uint32_t *box; /* likewise: its share from 1 on, if it is a box; or 0 */
 };
 
 /* About how bright a texture glows; 0 if it doesn't. */
@@ -211,12 +209,9 @@ static void add_leaf(void *context, const struct leaf *leaf)
         add_mesh(emitters, leaf);
     else
         add_shape(emitters, leaf);
-    if (!(emitters->total > before))
-        return;
-    *ARRAY_PUSH(emitters->arena, &emitters->shares) =
-        (struct emitter_share){ leaf, before, emitters->total - before };
-    if (emitter_box_is(leaf))
-        emitters->box[leaf->number] = (uint32_t)emitters->shares.count;
+    if (emitters->total > before)
+        *ARRAY_PUSH(emitters->arena, &emitters->shares) =
+            (struct emitter_share){ leaf, before, emitters->total - before };
 }
 
 static void add_solid(void *context, const struct solid *solid)
@@ -248,7 +243,6 @@ struct emitters *emitters_new(const struct world *world, bool strewn)
     struct emitters *emitters = ARENA_NEW(arena, struct emitters);
     emitters->arena = arena;
     emitters->picked = ARENA_ARRAY(arena, bool, world_leaf_count(world) + 1);
-    emitters->box = ARENA_ARRAY(arena, uint32_t, world_leaf_count(world) + 1);
     if (strewn)
         world_visit(world, count_solid, count_leaf, emitters);
     world_visit(world, add_solid, add_leaf, emitters);
@@ -368,17 +362,6 @@ static bool point_pick(const struct leaf *leaf, const struct patch *patch,
     return true;
 }
 
-static bool box_pick(const struct emitter_share *share, vec3 point,
-                     double which, const double u[2], struct emitter_pick *pick)
-{
-    which = fmax(which - share->from, 0) / share->share;
-    pick->leaf = share->leaf;
-    if (!emitter_box_pick(share->leaf, point, which, u, pick))
-        return false;
-    pick->density *= share->share;
-    return true;
-}
-
 bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
                    const double u[2], struct emitter_pick *pick)
 {
@@ -386,10 +369,6 @@ bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
     size_t number =
         draw_share(emitters->sums.items, emitters->sums.count, which, &share);
     const struct part *part = &emitters->parts.items[number];
-    uint32_t box = emitters->box[part->leaf->number];
-    if (box > 0)
-        return box_pick(&emitters->shares.items[box - 1], point, which, u,
-                        pick);
     struct patch patch = part_patch(emitters, part->leaf, part->number);
     bool there;
     if (patch.kind == PATCH_BALL)
@@ -410,10 +389,6 @@ double emitters_density(const struct emitters *emitters, vec3 point,
     const struct leaf *leaf = at->leaf;
     if (!emitters->picked[leaf->number])
         return 0;
-    uint32_t box = emitters->box[leaf->number];
-    if (box > 0)
-        return emitters->shares.items[box - 1].share *
-               emitter_box_density(leaf, point, at->point);
     double glow = texture_glow(at->texture) / emitters->total;
     if (leaf_is_strewn(leaf))
         return glow * emitter_points_density(leaf, point, direction);

@@ -1,8 +1,8 @@
 /* Surfaces that glow as lamps: a point of one is picked by area and power, or
- * on balls and boxes by the solid angle they fill, with the density that
- * multiple importance sampling needs (Veach 1997, section 9.2). Surfaces whose
- * shape has no patches have some points strewn over them that stand for the
- * rest, or are left to chance. Both sides glow. */
+ * on a ball by the solid angle it fills, with the density that multiple
+ * importance sampling needs (Veach 1997, section 9.2). Surfaces whose shape
+ * has no patches have some points strewn over them that stand for the rest, or
+ * are left to chance. Both sides glow. */
 #ifndef SHADE_EMITTERS_H
 #define SHADE_EMITTERS_H
 

@@ -67,27 +67,6 @@ static void test_patches(void **state)
     near("sphere { z * 4, 1" GLOW "}", round_angle(1 / sqrt(15)), 0.01);
 }
 
-/* Of a rectangle at a distance of 1, from below its normal's foot to (x, y). */
-static double corner_angle(double x, double y)
-{
-    return atan(x * y / sqrt(x * x + y * y + 1));
-}
-
-/* Boxes by what is seen of them: one face, all from inside, three in a row,
- * also turned; one so narrow that its angle is not exact. */
-static void test_boxes(void **state)
-{
-    (void)state;
-    const double face =
-        corner_angle(3, 3) - 2 * corner_angle(1, 3) + corner_angle(1, 1);
-    near("box { <-1, -1, 4>, <1, 1, 6>" GLOW "}", 4 * corner_angle(0.25, 0.25),
-         1e-6);
-    near("box { -1, <2, 3, 4>" GLOW "}", 4 * WARP_PI, 1e-6);
-    near("box { 1, 3" GLOW "}", 3 * face, 1e-6);
-    near("box { 1, 3 rotate <30, 40, 50>" GLOW "}", 3 * face, 1e-6);
-    near("box { <-1, -1, 400>, <1, 1, 400.1>" GLOW "}", 4.0 / 160000, 1e-4);
-}
-
 /* Others by points, also scaled unevenly: a tube seen from one end, an egg from
  * its tip (the tangent is b / sqrt(d^2 - a^2)), a ring with its hole. */
 static void test_points(void **state)
@@ -123,8 +102,9 @@ static void test_chance(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_patches), cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_points),  cmocka_unit_test(test_isosurface),
+        cmocka_unit_test(test_patches),
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_isosurface),
         cmocka_unit_test(test_chance),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
