@@ -179,6 +179,10 @@ static bool parse_points(struct parser *p, const struct field *field,
     } values = { 0 };
     struct span start = stream_span(p);
     double count;
+    if (stream_peek(p)->kind == TOKEN_LESS)
+        return error_at(p, start, "4, <point>, <point> ...",
+                        "first comes how many points there are, then the "
+                        "points");
     if (points_flagged(p) || !parse_float(p, &count) ||
         !field_check(p, field, start, count))
         return false;

@@ -253,10 +253,17 @@ static bool macro_arguments(struct parser *p, const struct macro *macro,
     return expect(p, TOKEN_RPAREN, open);
 }
 
-/* Drops the rest of a wrong call, to its ')' or as far as it can reach. */
-static void macro_recover(struct parser *p)
+/* Drops the rest of a wrong call, which is written at `cursor`, to its ')' or
+ * as far as it can reach: also where what is wrong is in a macro that an
+ * argument calls. */
+static void macro_recover(struct parser *p, struct cursor *cursor)
 {
-    struct cursor *cursor = p->cursor;
+    bool ended = true; /* at the name, before the '(' */
+    for (const struct cursor *c = p->cursor; c && ended; c = c->below)
+        ended = c != cursor;
+    if (!ended)
+        stream_pop_to(p, cursor);
+    cursor = p->cursor;
     if (p->peeked)
         cursor->index--;
     p->peeked = false;
@@ -276,7 +283,7 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
 {
     const struct macro *macro = symbol_find(p, word)->macro;
     struct macro_value values[MACRO_PARAMETER_LIMIT];
-    struct cursor *directive = p->directive;
+    struct cursor *directive = p->directive, *written = p->cursor;
     if (!expression_enter(p))
         return false;
     p->directive = NULL;
@@ -286,7 +293,7 @@ bool macro_call(struct parser *p, const struct word *word, struct span at)
     p->directive = directive;
     p->nesting--;
     if (!ok) {
-        macro_recover(p);
+        macro_recover(p, written);
         return false;
     }
     if (!stream_round(p, 3, at) ||
