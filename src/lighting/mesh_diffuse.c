@@ -25,7 +25,7 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver *receiver = &asker->receiver;
-    bool beyond = known->pixels && !receiver->pixel;
+    bool beyond = known->pixels && !receiver->pixel && !receiver->far_side;
     receiver->view = known->view;
     receiver->view.coarser += beyond;
     receiver->weight = asker->weight * most;
@@ -51,8 +51,10 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                    share.light };
 }
 
-/* And light that comes through it, as through a leaf. The pixels' corners are
- * on the side that is seen. */
+/* And light that comes through it, as through a leaf or a lamp's shade, asked
+ * as closely as that of the side that is seen, which alone has the pixels'
+ * corners.
+ */
 static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
                                         struct worker *worker,
                                         struct asker *asker)

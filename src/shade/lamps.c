@@ -6,14 +6,13 @@
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
-/* The steps that the grids of area lights leave in their penumbras are
- * independent of each other: beside those of others no one's are seen. Each is
- * looked at */
+/* The steps that the grid of an area light leaves in its penumbra are not seen
+ * beside those of several others. */
 enum {
-    SOFT_THOROUGHLY = 1, /* closely, also where it is lit, if there are so few,
-                          */
-    SOFT_FINELY = 4      /* or where it is half hidden; of more as their author
-                          * has it */
+    SOFT_THOROUGHLY = 1, /* so few are looked at closely wherever they may be
+                          * hidden, */
+    SOFT_FINELY = 4      /* and so few where they half are; each of more as its
+                          * author has it */
 };
 
 struct lamps lamps_new(const struct world *world, const struct scene *scene,
