@@ -25,7 +25,7 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver *receiver = &asker->receiver;
-    bool beyond = known->pixels && !receiver->pixel && !receiver->far_side;
+    bool beyond = known->pixels && !receiver->pixel;
     receiver->view = known->view;
     receiver->view.coarser += beyond;
     receiver->weight = asker->weight * most;
@@ -33,7 +33,8 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     if ((asker->scatters || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
           indirect_pixels_light(known->pixels, worker, receiver, &share)) &&
-        !(beyond && !indirect_mesh_leaves(mesh, receiver) &&
+        !(beyond && !receiver->far_side &&
+          !indirect_mesh_leaves(mesh, receiver) &&
           known->worth * receiver->weight < one_point_worth &&
           indirect_mesh_nearest(mesh, worker, receiver, vec3_make(0, 0, 0),
                                 &share)))
@@ -51,10 +52,9 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                    share.light };
 }
 
-/* And light that comes through it, as through a leaf or a lamp's shade, asked
- * as closely as that of the side that is seen, which alone has the pixels'
- * corners.
- */
+/* And light that comes through it, as through a leaf or a lamp's shade. The
+ * pixels' corners are on the side that is seen; of the other no single point
+ * answers, for what differs between points is seen at once. */
 static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
                                         struct worker *worker,
                                         struct asker *asker)
