@@ -8,6 +8,7 @@
 #include "base/memory.h"
 #include "base/warp.h"
 #include "lightmesh/facet_mesh.h"
+#include "lightmesh/gather_lamps.h"
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
@@ -49,8 +50,7 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
     struct draws draws = { key, (uint32_t)bounce };
     struct intersection at;
     double u[2];
-    bool lamps =
-        census->direct->many || census->direct->lamps->count > GATHER_LAMPS;
+    bool lamps = gather_lamps_asks(census->direct);
     if (!mesh->next && !lamps) /* they ask no point */
         return;
     draw_pair(&draws, GATHER_DIRECTION, u);

@@ -11,6 +11,11 @@ vec3 gather_jitter(const struct draws *draws)
                      draw_unit(draws, GATHER_HIGH) - 0.5);
 }
 
+bool gather_lamps_asks(const struct direct_mesh *direct)
+{
+    return direct->many || direct->lamps->count > GATHER_LAMPS;
+}
+
 rgb gather_lamps(const struct gather *gather, struct worker *worker,
                  const struct draws *draws, bool again,
                  const struct surface *surface, const struct receiver *receiver)
@@ -20,10 +25,9 @@ rgb gather_lamps(const struct gather *gather, struct worker *worker,
                                      surface->at->leaf };
     struct receiver asked = *receiver;
     asked.view.coarser = HIT_LEVELS;
-    const struct direct_mesh *direct = gather->direct;
-    if (direct && (direct->many || lamps->count > GATHER_LAMPS) &&
+    if (gather->direct && gather_lamps_asks(gather->direct) &&
         !scene_lamps_choose(lamps->scene))
-        return direct_mesh_nearest(direct, worker, &asked,
+        return direct_mesh_nearest(gather->direct, worker, &asked,
                                    gather_jitter(draws));
     if (lamps->count <= GATHER_EACH && !again)
         return each_lamp_light(lamps, worker, draws, GATHER_LAMP, &place);

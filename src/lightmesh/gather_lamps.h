@@ -10,6 +10,10 @@
 /* A place within a cell of the mesh, around its middle. */
 vec3 gather_jitter(const struct draws *draws);
 
+/* Whether mesh points are asked for lamps, as they hold their sum or these are
+ * too many to draw one of. */
+bool gather_lamps_asks(const struct direct_mesh *direct);
+
 /* Those that mesh points hold for the picture as well, or else one shadow
  * ray's; of few lamps each one's, unless light scatters `again`. Points are of
  * all surfaces: where lamps are of some alone they don't know. */

@@ -109,9 +109,11 @@ rgb harmonics_irradiance(const struct harmonics *harmonics, vec3 normal,
     vec3 direction;
     rgb beam = harmonics_take_beam(&rest, &direction);
     harmonics_weights(normal, brilliance, weights);
+    rgb light = harmonics_weighted(&rest, weights);
+    if (rgb_is_black(beam))
+        return light;
     double cosine = fmax(vec3_dot(normal, direction), 0);
-    return rgb_add_scaled(harmonics_weighted(&rest, weights), beam,
-                          pow(cosine, brilliance));
+    return rgb_add_scaled(light, beam, pow(cosine, brilliance));
 }
 
 rgb harmonics_received(const void *context, vec3 place, vec3 normal,

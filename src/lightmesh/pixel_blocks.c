@@ -122,7 +122,7 @@ static bool place_is_known(struct block *block,
     int pixel[2];
     place_pixel(block, blocks, number, pixel);
     const struct world_hit *hit = first_hits_at(around, pixel[0], pixel[1]);
-    if (hit->leaf && hit->leaf->look->clear)
+    if (first_hit_is_clear(hit))
         return false;
     block->hits[number] = *hit;
     return true;

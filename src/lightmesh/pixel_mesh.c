@@ -84,9 +84,12 @@ static void choose_row(void *context, size_t row, unsigned thread)
     (void)thread;
     int x = stagger_first(mesh->stagger, mesh->level, hits->left, y);
     int step = stagger_step(mesh->stagger, mesh->level);
-    for (; x < hits->left + hits->columns; x += step)
-        if (first_hits_seen(hits, x, y) && !pixel_is_served(mesh, x, y))
+    for (; x < hits->left + hits->columns; x += step) {
+        const struct world_hit *hit = first_hits_at(hits, x, y);
+        if (hit->leaf && !first_hit_is_clear(hit) &&
+            !pixel_is_served(mesh, x, y))
             *number_at(mesh, x, y) = 0;
+    }
 }
 
 /* Level by level, so that what a pixel is depends on few others near it. */

@@ -27,15 +27,6 @@ static inline struct world_hit *first_hits_at(const struct first_hits *hits,
     return &hits->at[row * (size_t)hits->columns + column];
 }
 
-/* The same, if there is a surface to be lit: what is clear is looked through.
- * Else NULL. */
-static inline const struct world_hit *
-first_hits_seen(const struct first_hits *hits, int x, int y)
-{
-    const struct world_hit *hit = first_hits_at(hits, x, y);
-    return hit->leaf && !hit->leaf->look->clear ? hit : NULL;
-}
-
 /* Where in the picture a place is, as camera_ray has it. */
 static inline void first_hits_place(const struct first_hits *hits, int x, int y,
                                     double place[2])
@@ -54,6 +45,12 @@ struct picture_place {
     const struct first_hits *around; /* what is met there and beside it, as far
                                       * as that is known; or NULL */
 };
+
+/* Whether it is looked through, so that what is lit there is behind it. */
+static inline bool first_hit_is_clear(const struct world_hit *hit)
+{
+    return hit->leaf && hit->leaf->look->clear;
+}
 
 /* Whether the hit is on that part of that leaf. */
 static inline bool first_hit_is_on(const struct world_hit *hit,

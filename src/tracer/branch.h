@@ -34,7 +34,8 @@ struct path {
     bool straight; /* the camera's line of sight: its opacity counts */
     bool ended;    /* gathers nothing more but its dues */
     const struct picture_place *place; /* of a camera ray that has met nothing
-                                        * yet; else NULL */
+                                        * yet, but for what is clear; else NULL
+                                        */
 
     rgb share;      /* of what the ray meets next, in its radiance */
     double clear;   /* 1 - opacity so far */
@@ -47,6 +48,14 @@ struct path {
     struct path *next;       /* in a list of the wavefront */
     struct interiors inside; /* last: mostly little of it is in use */
 };
+
+/* It has met a leaf, and what is behind is no more at first sight, unless that
+ * is clear. */
+static inline void path_passes(struct path *path, const struct leaf *leaf)
+{
+    if (!leaf->look->clear)
+        path->place = NULL;
+}
 
 /* A camera ray, which is there and a wavefront's root, sets out; `place` may be
  * NULL. */

@@ -216,8 +216,7 @@ static void sight_go_on(struct sights *sights, unsigned i, rgb light)
 {
     const struct facets *facets = &sights->facets;
     struct path *path = sights->path[i];
-    if (!facets->leaf[i]->look->clear)
-        path->place = NULL;
+    path_passes(path, facets->leaf[i]);
     if (facets->leaf[i]->look->opaque && !(facets->layered >> i & 1)) {
         struct surface_paint paint = facets_paint_of(facets, i);
         path_leave_plain(path, facets->leaf[i], &paint, light);

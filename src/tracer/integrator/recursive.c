@@ -324,8 +324,7 @@ bool path_arrive(struct path *path, struct crossing *crossing,
                   settings->adc_bailout, false);
     crossing->surface.place = path->place;
     crossing->surface.weight = path->weight;
-    if (!crossing->at.leaf->look->clear)
-        path->place = NULL;
+    path_passes(path, crossing->at.leaf);
     if (tracer->quality < QUALITY_LIT) {
         path_gather(path, colour_rgb(crossing->surface.layer[0].pigment));
         return false;
