@@ -4,6 +4,7 @@
 #include "lighting/mesh_close.h"
 #include "lightmesh/census.h"
 #include "lightmesh/indirect.h"
+#include "lightmesh/plan_rays.h"
 #include "lightmesh/tuning.h"
 
 void mesh_clear(struct mesh_lighting *mesh)
@@ -26,6 +27,9 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     plan->indirect.virtual_lights = mesh->virtual_lights;
     plan->indirect.picks = mesh->stamp.frame.picks;
     plan->indirect.glow_picks = mesh->stamp.frame.glow_picks;
+    plan->indirect.near_own =
+        plan_own_rays(&scene->settings.light_mesh, &mesh->survey,
+                      &plan->indirect.lattice, &plan->indirect.view);
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;

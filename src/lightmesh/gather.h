@@ -32,14 +32,13 @@ struct gather {
                                                   * points gather rays don't;
                                                   * NULL: there are none */
     int picks;                                   /* of which one asks so many */
-    double reach; /* of what `here` does not know: what is nearer hides part of
-                   * it from what rays meet, ... */
-    double crevice;           /* as much as the place is in one, 0 to 1 */
-    struct lattice_view view; /* of what its rays meet */
+    struct lattice_view view;                    /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
     struct bounce_tone tone; /* of what `indirect` says */
     gather_close *close;     /* or NULL */
+    double close_near; /* units: it isn't asked about what is nearer to where
+                        * its ray comes from; further rays are sent there */
     const void *close_context;
     bool together; /* most rays meet something that few lamps light: shadow rays
                     * of several are quicker */

@@ -72,7 +72,8 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
                    struct indirect_share *share)
 {
     rgb light;
-    if (!gather->close ||
+    const vec3 between = vec3_sub(receiver->point, receiver->from);
+    if (!gather->close || vec3_length(between) < gather->close_near ||
         !gather->close(gather->close_context, worker, receiver->point,
                        receiver->normal, receiver->from, &light))
         return false;
@@ -80,48 +81,15 @@ bool gather_closes(const struct gather *gather, struct worker *worker,
     return true;
 }
 
-/* What the points around say of a surface close to the place that asks. In a
- * crevice, which is dark inside, what hides it from the place hides it from
- * that surface as well: one ray more tells. */
-static struct indirect_share gathering_here(const struct gathering *gathering,
-                                            const struct surface *surface)
-{
-    const struct gather *gather = gathering->gather;
-    struct indirect_share share =
-        indirect_light_share(gather->here, surface->normal);
-    if (gathering->before > 0 || gather->crevice == 0)
-        return share;
-    const struct draws draws = onward_draws(gathering->draws, gathering->met);
-    struct gathered_ray found;
-    struct gathering further =
-        gathering_further(gathering, surface, &draws, &found);
-    further.known = true;
-    gathering->worker->counters.shadow_rays++;
-    const struct glimpse near = { surface_offset(surface->point), gather->reach,
-                                  gather_spread };
-    if (!world_glimpse(gather->lamps->world, &further.ray, near, RAY_GATHER,
-                       &found.at))
-        return share;
-    double close =
-        gather->crevice * near_field_closeness(found.at.t, gather->reach);
-    found.light = gathering_follow(&further, &found.at, &found.glow);
-    if (rgb_peak(found.glow) > 0)
-        return share;
-    const struct indirect_share met = { found.light, found.open };
-    indirect_share_mix(&share, &met, close);
-    return share;
-}
-
 /* What surfaces send to the receiver, if mesh points or the skeleton know. */
 static bool gathering_known(const struct gathering *gathering,
-                            const struct surface *surface,
                             const struct receiver *receiver,
                             struct indirect_share *share)
 {
     const struct gather *gather = gathering->gather;
     bool here = gather->here && gathering->met == 0;
     if (here)
-        *share = gathering_here(gathering, surface);
+        *share = indirect_light_share(gather->here, receiver->normal);
     return here ||
            (gather->indirect &&
             indirect_mesh_nearest(gather->indirect, gathering->worker, receiver,
@@ -172,7 +140,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
                                        .weight = 1 };
     rgb light = gathering_lamps(gathering, surface, &receiver);
     struct indirect_share more = gather->around;
-    bool found = gathering_known(gathering, surface, &receiver, &more);
+    bool found = gathering_known(gathering, &receiver, &more);
     if (!found && gather->onward)
         more = gathering_onward(gathering, surface, matters);
     else if (!found && gather->indirect)

@@ -38,7 +38,9 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     mesh->near_lone = near_ways_new(options->near_lone);
     mesh->near_more = near_ways_new(options->near_more);
     mesh->near_beside = near_ways_new(NEAR_BESIDE);
-    mesh->near_onwards = near_onwards_new(&mesh->gather, options->near);
+    mesh->near_own = near_ways_new(options->near_own);
+    mesh->near_onwards = near_onwards_new(
+        &mesh->gather, (int)fmax(options->near, options->near_own));
     if (bounce == 1)
         mesh->near_glow = near_glow_new(direct->lamps->world, emitters,
                                         &options->lattice, &options->view);
@@ -110,6 +112,7 @@ void indirect_mesh_free(struct indirect_mesh *mesh)
         near_ways_free(&mesh->near_lone);
         near_ways_free(&mesh->near_more);
         near_ways_free(&mesh->near_beside);
+        near_ways_free(&mesh->near_own);
         onwards_free(&mesh->near_onwards);
         near_glow_free(mesh->near_glow);
         onwards_free(&mesh->onwards);

@@ -34,7 +34,8 @@ struct indirect_options {
                     * before others look between them; 0: none do */
     int near, near_lone, near_more; /* rays to what is close to a corner of many
                                      * pixels, to a place that is seen alone,
-                                     * and to more of these in a pixel */
+                                     * and to more of these in a pixel; */
+    int near_own;                   /* and of a place in a crevice */
     const struct bright *bright;    /* where most light comes from; NULL: nobody
                                      * looked */
     const struct virtual_lights *virtual_lights; /* NULL: there are none */
@@ -65,7 +66,8 @@ struct indirect_mesh {
     struct onwards onwards;                      /* of its gather rays */
     struct near_ways near, near_lone, near_more; /* of near rays, as of its
                                                   * options, */
-    struct near_ways near_beside;                /* and beside what glows */
+    struct near_ways near_beside;                /* beside what glows, */
+    struct near_ways near_own;                   /* and in a crevice */
     struct onwards near_onwards;                 /* likewise */
     struct near_glow *near_glow; /* what mesh points leave out; or NULL */
 };

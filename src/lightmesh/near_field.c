@@ -7,10 +7,20 @@
 #include "lightmesh/gather_rays.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/near_glow.h"
+#include "lightmesh/near_own.h"
 #include "lightmesh/tuning.h"
+#include "scene/primitive.h"
 
 /* Numbers of its own, apart from those of mesh points. */
 static const uint64_t near_key = 0x6e656172;
+
+double near_field_reach_at(const struct indirect_mesh *mesh,
+                           const struct receiver *receiver)
+{
+    return near_field_reach * lattice_spacing_at(&mesh->points.lattice,
+                                                 &receiver->view,
+                                                 receiver->point);
+}
 
 /* What the points around say of a way, as brightness: no less than nothing. */
 struct along {
@@ -20,12 +30,13 @@ struct along {
 /* A place that looks around. */
 struct nearby {
     const struct indirect_mesh *mesh;
-    struct gather gather; /* what is met is lit by the same points */
+    struct gather gather; /* of its rays: no virtual light brings what is so
+                           * near */
     struct worker *worker;
     const struct receiver *receiver;
-    double reach; /* of its rays, units: mesh points that light the place may
-                   * be so far from it */
+    double reach; /* of its rays: near_field_reach_at */
     const struct near_ways *ways;
+    bool dear;                    /* rays to what they meet are */
     struct along all, hidden;     /* sums of what the points say */
     struct indirect_light met;    /* what comes from what was met, */
     struct indirect_share shares; /* and what the side gets of it */
@@ -45,14 +56,25 @@ static struct along light_along(const struct indirect_light *light, vec3 way)
     return (struct along){ fmax(along.light, 0), fmax(along.open, 0) };
 }
 
-static struct draws near_draws(const struct gather *gather, unsigned number)
+struct draws near_draws(const struct gather *gather, unsigned number)
 {
     return (struct draws){ gather->lamps->seed ^ near_key, number };
 }
 
+/* With the rays before they are spread evenly as well, for which so few draws
+ * are not enough: multiples of independent irrational numbers (Roberts, as
+ * draw_further). */
 struct onwards near_onwards_new(const struct gather *gather, int rays)
 {
-    return onwards_new(near_draws(gather, 0).key, (uint32_t)rays);
+    const struct draws draws = near_draws(gather, 0);
+    struct onwards onwards = onwards_new(draws.key, (uint32_t)rays);
+    for (int i = 0; i < rays; i++) {
+        double u[2] = { 0, 0 };
+        draw_further(i + 1, &u[0], &u[1]);
+        onwards_set(&onwards, (uint32_t)i, fmod((i + 1) * sqrt(2), 1),
+                    warp_lambert(u));
+    }
+    return onwards;
 }
 
 /* A Fermat spiral on the disc below the hemisphere (Vogel 1979): a draw of so
@@ -94,6 +116,12 @@ static void nearby_trace(const struct nearby *nearby, int first,
                         warp_turned(nearby->ways->ways[i], receiver->side));
     }
     gather_rays_meet(gather, nearby->worker, nearby->reach, sent);
+}
+
+bool near_is_dear(const struct leaf *leaf)
+{
+    return leaf->object->kind == OBJECT_SHAPE &&
+           leaf->object->primitive->first_roughly;
 }
 
 /* How near that is: what comes into reach does so by and by. */
@@ -151,10 +179,15 @@ static unsigned nearby_met(const struct gather_rays *sent)
     return met;
 }
 
-/* In a crevice most rays meet something. */
-static double share_deep(double met)
+/* Shapes that functions tell are full of crevices, too. */
+static bool nearby_is_dear(const struct gather_rays *sent)
 {
-    return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
+    bool dear = false;
+    for (unsigned i = 0; i < sent->count && !dear; i++) {
+        const struct leaf *leaf = sent->found[i].at.leaf;
+        dear = leaf && near_is_dear(leaf);
+    }
+    return dear;
 }
 
 /* A packet from number `first` on. Where a few rays all meet something they
@@ -185,7 +218,7 @@ static double nearby_look_around(struct nearby *nearby,
         unsigned met = nearby_send(nearby, first, &sent);
         any += met;
         all += sent.count;
-        nearby->gather.crevice = share_deep((double)met / sent.count);
+        nearby->dear |= nearby_is_dear(&sent);
         if (any > 0 || first + RAY_LANES < nearby->ways->count)
             nearby_add(nearby, &sent, light);
     }
@@ -195,6 +228,26 @@ static double nearby_look_around(struct nearby *nearby,
 static double share_left(double hidden, double all)
 {
     return all > 0 ? 1 - hidden / all : 1;
+}
+
+/* In a crevice many of them do. */
+static double share_deep(double met)
+{
+    return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
+}
+
+/* There the place gathers itself, for so much of what is known; what glows
+ * near by isn't in it. */
+static void nearby_own(const struct nearby *nearby, double deep,
+                       struct indirect_share *share,
+                       struct indirect_light *light)
+{
+    struct indirect_light own;
+    const struct indirect_share gets = near_own_gather(
+        nearby->mesh, nearby->worker, nearby->receiver, deep, &own);
+    indirect_share_mix(share, &gets, deep);
+    indirect_light_scale(light, (float)(1 - deep));
+    indirect_light_mix(light, &own, (float)deep);
 }
 
 struct near_share near_field_share(const struct indirect_mesh *mesh,
@@ -210,9 +263,7 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
         .gather = mesh->gather,
         .worker = worker,
         .receiver = receiver,
-        .reach = near_field_reach * lattice_spacing_at(&mesh->points.lattice,
-                                                       &receiver->view,
-                                                       receiver->point),
+        .reach = near_field_reach_at(mesh, receiver),
         .ways = ways,
     };
     nearby.gather.indirect = mesh;
@@ -223,7 +274,6 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
         nearby.gather.here = &here;
     }
     nearby.gather.virtual_lights = NULL;
-    nearby.gather.reach = nearby.reach;
     nearby.gather.onwards = &mesh->near_onwards;
     const double met = nearby_look_around(&nearby, light);
     if (met > 0)
@@ -235,5 +285,8 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     share.open = fmin(share.open + nearby.shares.open, 1);
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
+    const double deep = share_deep(met);
+    if (deep > 0 && mesh->near_own.count > 0 && !nearby.dear)
+        nearby_own(&nearby, deep, &share, light);
     return (struct near_share){ share, met };
 }

@@ -24,6 +24,14 @@ struct near_ways {
 struct near_ways near_ways_new(int count);
 void near_ways_free(struct near_ways *ways);
 
+/* Units: mesh points that light the receiver may be so far from it, and see
+ * past what is nearer. */
+double near_field_reach_at(const struct indirect_mesh *mesh,
+                           const struct receiver *receiver);
+
+/* What is drawn for a place's ray of that number: the same for all places. */
+struct draws near_draws(const struct gather *gather, unsigned number);
+
 /* What is drawn where so many rays go on. */
 struct onwards near_onwards_new(const struct gather *gather, int rays);
 
@@ -43,6 +51,10 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
                                    const struct near_ways *ways,
                                    const struct indirect_light *glow,
                                    struct indirect_light *light);
+
+/* Whether rays to it take so long that mesh points had better know all of it:
+ * shapes that functions tell. */
+bool near_is_dear(const struct leaf *leaf);
 
 /* How much what is so far off counts as what mesh points see past, of what is
  * within reach: 1 nearby, 0 out of it. */

@@ -71,14 +71,6 @@ static bool box_is_near(struct box3 box, double reach)
     return (size.x > wide) + (size.y > wide) + (size.z > wide) < 2;
 }
 
-/* Whether rays to it take so long that mesh points had better know all of it:
- * shapes that functions tell. */
-static bool leaf_is_dear(const struct leaf *leaf)
-{
-    return leaf->object->kind == OBJECT_SHAPE &&
-           leaf->object->primitive->first_roughly;
-}
-
 /* Fills `boxes` with those in which the leaves are in reach. */
 static void near_glow_fill(struct near_glow *near,
                            const struct lattice *lattice,
@@ -89,7 +81,7 @@ static void near_glow_fill(struct near_glow *near,
     for (size_t i = 0; i < count; i++) {
         struct box3 box = leaf_box(shares[i].leaf);
         if (!box3_is_finite(box) || box3_is_empty(box) ||
-            leaf_is_dear(shares[i].leaf))
+            near_is_dear(shares[i].leaf))
             continue;
         vec3 middle = vec3_scale(vec3_add(box.low, box.high), 0.5);
         double reach =

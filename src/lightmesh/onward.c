@@ -27,6 +27,12 @@ struct onwards onwards_new(uint64_t key, uint32_t count)
     return onwards;
 }
 
+void onwards_set(struct onwards *onwards, uint32_t index, double chance,
+                 vec3 way)
+{
+    onwards->at[index] = (struct onward){ chance, way };
+}
+
 void onwards_free(struct onwards *onwards)
 {
     memory_free(onwards->at);

@@ -20,6 +20,10 @@ struct onwards {
 struct onwards onwards_new(uint64_t key, uint32_t count);
 void onwards_free(struct onwards *onwards);
 
+/* Takes these instead for sample `index`: as onward_chance and onward_way. */
+void onwards_set(struct onwards *onwards, uint32_t index, double chance,
+                 vec3 way);
+
 /* Whether it goes on is decided by this, in [0,1), for sample `draws` and
  * surface number `met` on its way; and it goes there, around a z that is the
  * surface's side, by the cosine. `known` may be NULL. */

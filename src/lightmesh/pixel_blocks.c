@@ -333,16 +333,11 @@ bool pixel_blocks_light(const struct pixel_blocks *blocks,
         int number = later ? BLOCK_PLACES - 1 - place_order[i] : place_order[i];
         if (!place_tells(block, blocks, worker, number, receiver))
             continue;
-        /* Of what is deep two places are right more often than one: so few
-         * rays tell too much, or too little [contact]. */
-        *share = place_share(block, number, receiver);
         int nearest = block_nearest(block, blocks, receiver);
-        if (block->places[number].deep && nearest != number &&
-            place_tells(block, blocks, worker, nearest, receiver)) {
-            const struct indirect_share there =
-                place_share(block, nearest, receiver);
-            indirect_share_mix(share, &there, 0.5);
-        }
+        if (block->places[number].deep &&
+            place_tells(block, blocks, worker, nearest, receiver))
+            number = nearest;
+        *share = place_share(block, number, receiver);
         return true;
     }
     return false;

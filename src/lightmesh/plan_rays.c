@@ -82,3 +82,31 @@ int plan_glow_picks(const struct light_mesh_settings *said,
     return survey->glows > 0 ? picks_for(said, survey->glows, GLOW_PICKS, times)
                              : 0;
 }
+
+/* Share of what the camera sees that has much close to it, as mesh points are
+ * apart there. */
+static double survey_crevices(const struct survey *survey,
+                              const struct lattice *lattice,
+                              const struct lattice_view *view)
+{
+    int deep = 0;
+    for (int i = 0; i < survey->sights; i++) {
+        const struct survey_sight *sight = &survey->sight[i];
+        deep +=
+            sight->half <
+            near_field_reach * lattice_spacing_at(lattice, view, sight->place);
+    }
+    return survey->sights > 0 ? (double)deep / survey->sights : 0;
+}
+
+int plan_own_rays(const struct light_mesh_settings *said,
+                  const struct survey *survey, const struct lattice *lattice,
+                  const struct lattice_view *view)
+{
+    const double finer = plan_finer(said),
+                 share = survey_crevices(survey, lattice, view),
+                 rays = NEAR_OWN_RAYS * finer * finer;
+    const int packets =
+        (int)(rays * fmin(own_usual / share, 1) / RAY_LANES + 0.5);
+    return packets * RAY_LANES;
+}

@@ -2,6 +2,7 @@
 #ifndef LIGHTMESH_PLAN_RAYS_H
 #define LIGHTMESH_PLAN_RAYS_H
 
+#include "lightmesh/lattice.h"
 #include "lightmesh/survey.h"
 #include "scene/scene.h"
 
@@ -23,5 +24,11 @@ int plan_picks(const struct light_mesh_settings *said,
 /* And to what glows, where the survey has looked: at least; else 0. */
 int plan_glow_picks(const struct light_mesh_settings *said,
                     const struct survey *survey, int times);
+
+/* To all around a place in a crevice (near_own.h), if mesh points are there; 0:
+ * none, the picture is full of crevices. */
+int plan_own_rays(const struct light_mesh_settings *said,
+                  const struct survey *survey, const struct lattice *lattice,
+                  const struct lattice_view *view);
 
 #endif

@@ -1,6 +1,7 @@
 /* A few gather rays: see survey.h. */
 #include "lightmesh/survey_sums.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/memory.h"
@@ -300,6 +301,28 @@ static void sums_remember(const struct sums *sums, struct survey *survey)
             survey->hit[survey->hits++] = sums->hits[i];
 }
 
+static int distances_order(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void sums_sights(const struct sums *sums, struct survey *survey)
+{
+    double distance[BRIGHT_RAYS];
+    const size_t each = (size_t)sums->each,
+                 count = each < BRIGHT_RAYS ? each : BRIGHT_RAYS;
+    survey->sights = sums->sights;
+    for (int i = 0; i < sums->sights; i++) {
+        for (size_t j = 0; j < count; j++)
+            distance[j] = sums->hits[(size_t)i * each + j].distance;
+        qsort(distance, count, sizeof *distance, distances_order);
+        survey->sight[i] =
+            (struct survey_sight){ sums->seen[i].place,
+                                   distance[(count + 1) / 2 - 1] };
+    }
+}
+
 static struct survey sums_tell(struct sums *sums,
                                const struct survey_options *options,
                                struct worker *worker)
@@ -314,6 +337,7 @@ static struct survey sums_tell(struct sums *sums,
     survey.bounced = sums->bounced / sums->sights;
     survey.around = sums_around(sums);
     sums_remember(sums, &survey);
+    sums_sights(sums, &survey);
     if (options->times > 0)
         survey.glows = sums_glows(sums, worker);
     survey.closed = sums_closed(sums, &survey, known);
@@ -334,6 +358,7 @@ struct survey survey_of(const struct gather *gather, const struct scene *scene,
                         const struct survey_options *options)
 {
     enum { SIGHTS = SURVEY_EDGE * SURVEY_EDGE };
+    _Static_assert(SIGHTS <= (int)SURVEY_SIGHTS, "a survey keeps all sights");
     struct sums sums = { .gather = gather, .each = options->rays };
     size_t rays = SIGHTS * (size_t)options->rays;
     sums.hits = memory_new(rays * sizeof *sums.hits);

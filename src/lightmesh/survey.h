@@ -8,7 +8,7 @@
 #include "lightmesh/indirect_light.h"
 #include "lightmesh/virtual_lights.h"
 
-enum { SURVEY_HITS = 128 };
+enum { SURVEY_HITS = 128, SURVEY_SIGHTS = 256 };
 
 struct survey {
     double open;  /* share of gather rays that leave the scene, or end where it
@@ -31,6 +31,12 @@ struct survey {
     int hits; /* some of what they met, from all over the picture */
     struct bright_hit hit[SURVEY_HITS];
     struct indirect_share around; /* what surfaces give each other, mean */
+    int sights;                   /* places that the camera sees */
+    struct survey_sight {
+        vec3 place;
+        double half; /* units: nearer than that half of its rays met something;
+                      * HUGE_VAL: fewer did at all */
+    } sight[SURVEY_SIGHTS];
 };
 
 /* What to reckon with where nobody looks: all matters. */

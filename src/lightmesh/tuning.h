@@ -216,12 +216,12 @@ enum {
     CLOSE_RAYS = 40000,   /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
-    NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's: together they have
-                           * enough [a meadow] */
+    NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's [a meadow] */
     NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, of
                           * which a packet tells whether that matters; */
     NEAR_GLOW_FEW = 4,   /* to what glows, of what is worth little */
     NEAR_BESIDE = 32,    /* to what is close where something glows [furnace] */
+    NEAR_OWN_RAYS = 32,  /* of a place in a crevice [contact] */
     LONE_PLACES = 4,     /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,    /* likewise, of what they were told */
     PIXEL_SLOTS = 16,    /* both are kept for so many that were last refined */
@@ -271,7 +271,7 @@ static const double grid_margin = 0.25; /* of a cell, by which a corner is
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
-static const double block_deep = 0.4; /* of short rays: more meet something */
+static const double block_deep = 0.5; /* of short rays: more meet something */
 static const double block_around = 1; /* spacings: places no farther from the
                                        * middle ask the same mesh points, */
 static const double block_around_bend = 0; /* if their normals are so near */
@@ -289,18 +289,18 @@ static const double one_point_worth = 0.02; /* what is worth no more beyond
                                              * point: neighbours differ by less
                                              * than a fifth of that */
 
-static const double near_field_reach = 0.75; /* spacings: what stands farther
+static const double near_field_reach = 0.85; /* spacings: what stands farther
                                               * off mesh points see [truth], */
-static const double near_field_whole = 0.75; /* and what is nearer than that
-                                              * share of them they don't */
+static const double near_field_whole = 0.75; /* of it: all of that is missed */
 static const double near_glow_reach = 5, near_glow_whole = 0.5; /* of glow */
 static const double near_glow_wide = 2;     /* larger, in reaches: not near */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
 static const double near_glow_worth = 0.5;  /* what is worth less has few */
-static const double near_shallow = 0.3, near_deep = 0.6; /* of short rays that
-                                                          * meet something: a
-                                                          * corner, a crevice
-                                                          */
+static const double near_shallow =
+    0.25;                             /* of short rays meet something: this */
+static const double near_deep = 0.5;  /* in a corner, that in a crevice */
+static const double own_usual = 0.05; /* of places are in one: more have less */
+static const double own_little = 0.5; /* of one: a packet of rays tells that */
 
 static const double bright_times = 4; /* as bright as the mean is bright; */
 static const double bright_least =
