@@ -22,7 +22,10 @@ struct surface_grid surface_grid_new(const struct camera *camera,
 {
     struct ray a = camera_ray(camera, 0.5, 0.5),
                b = camera_ray(camera, 0.5 + 1.0 / size[0], 0.5);
-    struct surface_grid grid = { .origin = origin };
+    struct surface_grid grid = { .origin = origin,
+                                 .central =
+                                     camera->kind->lines == CAMERA_CENTRAL,
+                                 .eye = camera->location };
     for (int level = 0; level < GRID_LEVELS; level++) {
         grid.step[level] = ldexp(typical, level - GRID_TYPICAL);
         grid.within[level] = 1 / grid.step[level];
@@ -38,7 +41,8 @@ struct surface_grid surface_grid_new(const struct camera *camera,
 int surface_grid_level(const struct surface_grid *grid,
                        const struct receiver *receiver, double *blend)
 {
-    vec3 way = vec3_sub(receiver->from, receiver->point);
+    vec3 from = grid->central ? grid->eye : receiver->from;
+    vec3 way = vec3_sub(from, receiver->point);
     double distance = vec3_length(way);
     double facing = fabs(vec3_dot(way, receiver->side)) / distance;
     double steps = grid->wanted + grid->wanted_grows * distance;

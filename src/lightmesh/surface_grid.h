@@ -23,6 +23,9 @@ struct surface_grid {
     /* How far apart corners are wanted of a surface that faces the camera, over
      * the step of level 0, there and with each unit of way. */
     double wanted, wanted_grows;
+    bool central; /* all that the camera sees, also through panes, it sees from
+                   */
+    vec3 eye;
 };
 
 /* Corners so many pixels apart of a picture so many pixels wide and high, where

@@ -158,6 +158,15 @@ static bool flight_counts(const struct flight *flight)
     return rgb_peak(flight->weight) >= flight->sending->bailout;
 }
 
+/* The way in a body to where it is met from inside: what lands there, is
+ * mirrored or leaves is weaker by it, as in POV-Ray. */
+static void flight_fade(struct flight *flight, const struct intersection *at)
+{
+    const struct interior *interior = at->leaf->look->interior;
+    if (interior_dims_shadows(interior))
+        flight_dim(flight, interior_fade(interior, at->t));
+}
+
 /* What a clear thing before the target leaves of it. False if that is
  * nothing. */
 static bool flight_pass_clear(struct flight *flight,
@@ -167,9 +176,8 @@ static bool flight_pass_clear(struct flight *flight,
                       ? rgb_grey(0)
                       : surface_passes(at, flight->ray.direction);
     flight_dim(flight, through);
-    if (interiors_find(&flight->inside, at->leaf->body) >= 0 &&
-        interior_dims_shadows(at->leaf->look->interior))
-        flight_dim(flight, interior_fade(at->leaf->look->interior, at->t));
+    if (interiors_find(&flight->inside, at->leaf->body) >= 0)
+        flight_fade(flight, at);
     interiors_cross(&flight->inside, at->leaf);
     flight->ray.origin = at->point;
     return flight_counts(flight);
@@ -286,9 +294,6 @@ static bool flight_pass(struct flight *flight, struct crossing *crossing,
     if (mirrors && !inward)
         flight_mirrors(flight, crossing);
     flight->share = rgb_mul(flight->share, part);
-    if (crossing->leaving)
-        flight_dim(flight, interior_fade(crossing->at.leaf->look->interior,
-                                         crossing->at.t));
     if (inward) {
         flight->ray.direction = surface_mirrored(crossing->surface.normal,
                                                  flight->ray.direction, normal);
@@ -310,6 +315,8 @@ static bool flight_meet(struct flight *flight, struct crossing *crossing,
     const struct photon_flags *object = crossing->at.leaf->look->photons;
     crossing_fill(crossing, flight->sending->tracer, flight->ray.direction,
                   &flight->inside, flight->sending->bailout, false);
+    if (crossing->leaving)
+        flight_fade(flight, &crossing->at);
     if (land)
         flight_land(flight, &crossing->surface);
     if (flight->level >= flight->sending->levels)

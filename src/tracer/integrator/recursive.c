@@ -276,9 +276,9 @@ static bool path_pass(struct path *path, const struct crossing *crossing)
         path_mirrors(path, crossing);
         path->share = rgb_mul(path->share, through);
         path->clear *= rgb_brightness(through);
-        path->weight = weight;
         interiors_copy(&path->inside, &crossing->beyond);
     }
+    path->weight = weight; /* where it is all sent back, too (measured) */
     path_fade(path, crossing);
     path->ray = (struct ray){ crossing->at.point, direction };
     path->level += bends;
