@@ -161,12 +161,9 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
     mesh->width = options->width;
     mesh->height = options->height;
     mesh->ambience = ambience_new(world, scene);
-    if (said->indirect.glows) {
-        mesh->ambience.everywhere = true;
-        mesh->ambience.light = scene->settings.ambient_light;
-    } else if (mesh->ambience.sky && !said->indirect.dark) {
+    if (mesh->ambience.sky && !mesh->ambience.everywhere &&
+        !said->indirect.dark)
         ambient_dropped(scene, diag);
-    }
     mesh->lamps = lamps_new(world, scene, options->quality, options->seed);
     if (said->indirect.on)
         mesh->emitters = emitters_new(world, true);

@@ -37,7 +37,6 @@ static void rays_ask_mesh(struct settings *settings)
     mesh->indirect.tone = said->tone;
     mesh->indirect.skeleton = false;
     mesh->indirect.dark = true;
-    mesh->indirect.glows = settings->old_filter;
 }
 
 static void rays_finish(void *state)
@@ -67,12 +66,13 @@ static void *rays_start(const struct world *world, const struct scene *scene,
     return NULL;
 }
 
-/* No ambient light is left beside radiosity. */
+/* None is left beside radiosity, unless the scene is old. */
 static rgb rays_ambient(const struct rays_lighting *rays)
 {
     const struct settings *settings = &rays->lamps.scene->settings;
-    return rays->mesh && !settings->old_filter ? rgb_grey(0)
-                                               : settings->ambient_light;
+    return rays->mesh && !settings_keep_ambient(settings)
+               ? rgb_grey(0)
+               : settings->ambient_light;
 }
 
 /* By light of surfaces. */

@@ -61,8 +61,7 @@ struct light_mesh_settings {
         bool skeleton; /* the skeleton's light ends the last bounce */
         /* What POV-Ray's radiosity does and a scene says there alone: */
         struct bounce_tone tone;
-        bool dark;  /* nothing comes after the last bounce */
-        bool glows; /* `ambient` is light of its own, as before version 3.7 */
+        bool dark; /* nothing comes after the last bounce */
     } indirect;
     struct {
         struct mesh_region *items;

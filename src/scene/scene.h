@@ -58,7 +58,7 @@ struct settings {
     double adc_bailout;  /* 1/255 */
     bool radiosity;      /* radiosity {} was said, */
     struct radiosity_settings radiosity_said; /* and that in it */
-    bool old_filter;       /* of skies before 3.7: see shade/background.c */
+    bool old_filter;       /* before 3.7, of skies: see shade/background.c */
     bool clear_background; /* said before 3.7: with +UA seen in mirrors only */
     struct light_mesh_settings light_mesh;
     struct skeleton_settings skeleton;
@@ -71,6 +71,13 @@ struct settings {
 static inline bool settings_sky(const struct settings *settings)
 {
     return settings->radiosity || settings->light_mesh.sky;
+}
+
+/* Whether surfaces have their `ambient` beside radiosity, as before version
+ * 3.7. */
+static inline bool settings_keep_ambient(const struct settings *settings)
+{
+    return settings->radiosity && settings->old_filter;
 }
 
 struct scene {

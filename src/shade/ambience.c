@@ -69,8 +69,12 @@ struct ambience ambience_new(const struct world *world,
     struct ambience ambience = { .scene = scene,
                                  .sky = settings_sky(&scene->settings) };
     struct tally tally = { 0 };
-    if (ambience.sky)
+    if (ambience.sky) {
+        ambience.everywhere = settings_keep_ambient(&scene->settings);
+        if (ambience.everywhere)
+            ambience.light = scene->settings.ambient_light;
         return ambience;
+    }
     world_visit(world, tally_solid, tally_leaf, &tally);
     ambience.everywhere = !tally.glows && !lamps_shine(world);
     ambience.light = scene->settings.ambient_light;

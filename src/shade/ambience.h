@@ -2,7 +2,8 @@
  * leaves the scene. A surface under the open sky has all of POV-Ray's ambient
  * term, one in a corner less, one in a closed room none; sky and background
  * themselves light nothing. Where they do (radiosity {}, light_mesh { sky on })
- * there is no ambient light. */
+ * there is no ambient light, but beside radiosity before version 3.7: there
+ * surfaces have it of their own, whatever is around. */
 #ifndef SHADE_AMBIENCE_H
 #define SHADE_AMBIENCE_H
 
@@ -13,8 +14,9 @@
 struct ambience {
     const struct scene *scene;
     bool sky;        /* sky and background are lamps: the rest is 0 */
-    bool everywhere; /* no lamp is on, nothing glows: nothing else would be
-                      * seen, so nothing stands before this light */
+    bool everywhere; /* nothing stands before this light: no lamp is on and
+                      * nothing glows, so nothing else would be seen; or it is
+                      * beside radiosity */
     rgb light;       /* multiplies finish ambient */
     double share;    /* what surfaces make of it over what they make of other
                       * light: the mean of ambient / diffuse, at most 1 */

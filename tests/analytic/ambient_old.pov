@@ -1,0 +1,14 @@
+// Before version 3.7 surfaces keep their ambient beside radiosity, in a closed
+// room as well.
+// claims: rays path bounced skeleton
+//
+// ambient_light <2, 1, .5>: the box has <.5, .4, .8> * (.1 * ambient_light).
+// Nothing sends back any light.
+#version 3.6;
+global_settings { assumed_gamma 1 ambient_light rgb <2, 1, .5> radiosity { } }
+camera { orthographic location <-.05, .05, -10> right 6.4*x up 4.8*y }
+#default { finish { diffuse 0 } }
+box { -20, 20 hollow pigment { rgb 0 } }
+light_source { <2, 3, -9> rgb 1 }
+box { <-3, -2, 0>, <-.5, 2, 1> pigment { rgb <.5, .4, .8> }
+    finish { ambient .1 } }
