@@ -230,10 +230,13 @@ static double share_left(double hidden, double all)
     return all > 0 ? 1 - hidden / all : 1;
 }
 
-/* In a crevice many of them do. */
-static double share_deep(double met)
+/* In a crevice many of them do. A picture that is full of these has few rays
+ * for them, and only where it is deep. */
+static double share_deep(const struct indirect_mesh *mesh, double met)
 {
-    return fmin(fmax((met - near_shallow) / (near_deep - near_shallow), 0), 1);
+    const double from =
+        mesh->near_own.count > RAY_LANES ? near_shallow : near_full;
+    return fmin(fmax((met - from) / (near_deep - near_shallow), 0), 1);
 }
 
 /* There the place gathers itself, for so much of what is known; what glows
@@ -285,8 +288,8 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     share.open = fmin(share.open + nearby.shares.open, 1);
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
-    const double deep = share_deep(met);
-    if (deep > 0 && mesh->near_own.count > 0 && !nearby.dear)
+    const double deep = share_deep(mesh, met);
+    if (deep > 0 && !nearby.dear)
         nearby_own(&nearby, deep, &share, light);
     return (struct near_share){ share, met };
 }

@@ -108,5 +108,5 @@ int plan_own_rays(const struct light_mesh_settings *said,
                  rays = NEAR_OWN_RAYS * finer * finer;
     const int packets =
         (int)(rays * fmin(own_usual / share, 1) / RAY_LANES + 0.5);
-    return packets * RAY_LANES;
+    return (packets > 1 ? packets : 1) * RAY_LANES;
 }

@@ -25,8 +25,8 @@ int plan_picks(const struct light_mesh_settings *said,
 int plan_glow_picks(const struct light_mesh_settings *said,
                     const struct survey *survey, int times);
 
-/* To all around a place in a crevice (near_own.h), if mesh points are there; 0:
- * none, the picture is full of crevices. */
+/* To all around a place in a crevice (near_own.h), in whole packets: more than
+ * one, unless the picture is full of crevices. */
 int plan_own_rays(const struct light_mesh_settings *said,
                   const struct survey *survey, const struct lattice *lattice,
                   const struct lattice_view *view);
