@@ -27,18 +27,19 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     plan->indirect.virtual_lights = mesh->virtual_lights;
     plan->indirect.picks = mesh->stamp.frame.picks;
     plan->indirect.glow_picks = mesh->stamp.frame.glow_picks;
-    plan->indirect.near_own =
-        plan_own_rays(&scene->settings.light_mesh, &mesh->survey,
-                      &plan->indirect.lattice, &plan->indirect.view);
     mesh->direct_view = plan->direct.view;
     mesh->indirect_view = plan->indirect.view;
     mesh->direct_view.eye = mesh->indirect_view.eye = scene->camera.location;
     mesh->direct_view.finest = mesh->levels.direct;
     mesh->indirect_view.finest = mesh->levels.indirect;
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
-    if (plan->indirect.bounces > 0)
-        mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
-                                           &mesh->ambience, &plan->indirect);
+    if (plan->indirect.bounces == 0)
+        return;
+    plan->indirect.near_own =
+        plan_own_rays(&scene->settings.light_mesh, &mesh->survey,
+                      &plan->indirect.lattice, &plan->indirect.view);
+    mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
+                                       &mesh->ambience, &plan->indirect);
 }
 
 /* What is to be counted before points are made. */

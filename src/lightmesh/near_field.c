@@ -230,8 +230,8 @@ static double share_left(double hidden, double all)
     return all > 0 ? 1 - hidden / all : 1;
 }
 
-/* In a crevice many of them do. A picture that is full of these has few rays
- * for them, and only where it is deep. */
+/* How far the place is in a crevice, 0 to 1: there many of them do. A picture
+ * that is full of these has few rays, for the deepest. */
 static double share_deep(const struct indirect_mesh *mesh, double met)
 {
     const double from =
@@ -289,7 +289,7 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
     const double deep = share_deep(mesh, met);
-    if (deep > 0 && !nearby.dear)
+    if (deep > 0 && mesh->near_own.count > 0 && !nearby.dear)
         nearby_own(&nearby, deep, &share, light);
     return (struct near_share){ share, met };
 }

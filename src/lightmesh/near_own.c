@@ -11,8 +11,8 @@
 /* A place that gathers. */
 struct owning {
     const struct indirect_mesh *mesh;
-    struct gather gather; /* virtual lights would be asked as well: its rays
-                           * bring all that lamps light */
+    struct gather gather; /* of its rays: these bring all that lamps light,
+                           * without virtual lights */
     struct worker *worker;
     const struct receiver *receiver;
     int rays; /* the first ones of the mesh's */
@@ -27,8 +27,7 @@ static double owning_glow(const struct owning *own, const struct leaf *leaf,
     return 1 - near_glow_share(own->mesh->near_glow, leaf, distance);
 }
 
-/* What comes that way, drawn with that density per solid angle, once or by one
- * of `count`. */
+/* What comes that way, of which so many are drawn per solid angle. */
 static void owning_add(struct owning *own, vec3 way, rgb light, double open,
                        double density)
 {

@@ -296,9 +296,9 @@ static const double near_glow_reach = 5, near_glow_whole = 0.5; /* of glow */
 static const double near_glow_wide = 2;     /* larger, in reaches: not near */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
 static const double near_glow_worth = 0.5;  /* what is worth less has few */
-static const double near_shallow =
-    0.25; /* of short rays meet something: this */
-static const double near_deep = 0.5, near_full = 0.4; /* to that in a crevice */
+/* Of short rays so many meet something in a corner, and in a crevice; where
+ * there are many of these, in the deepest. */
+static const double near_shallow = 0.25, near_deep = 0.5, near_full = 0.4;
 static const double own_usual = 0.05; /* of places are in one: more have less */
 static const double own_little = 0.5; /* of one: a packet of rays tells that */
 
