@@ -271,7 +271,7 @@ static const double grid_margin = 0.25; /* of a cell, by which a corner is
 static const double block_places = 0.25; /* of the grid's step, from one place
                                           * of a block to the next */
 static const double block_bend = 0.95;   /* cosine of normals that share one */
-static const double block_deep = 0.5; /* of short rays: more meet something */
+static const double block_deep = 0.7; /* of short rays: more meet something */
 static const double block_around = 1; /* spacings: places no farther from the
                                        * middle ask the same mesh points, */
 static const double block_around_bend = 0; /* if their normals are so near */
