@@ -67,13 +67,21 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     return share;
 }
 
+/* Few set such a distance, and nearly all hits ask. */
+static bool gather_is_near(const struct gather *gather,
+                           const struct receiver *receiver)
+{
+    return gather->close_near > 0 &&
+           vec3_length(vec3_sub(receiver->point, receiver->from)) <
+               gather->close_near;
+}
+
 bool gather_closes(const struct gather *gather, struct worker *worker,
                    const struct receiver *receiver,
                    struct indirect_share *share)
 {
     rgb light;
-    const vec3 between = vec3_sub(receiver->point, receiver->from);
-    if (!gather->close || vec3_length(between) < gather->close_near ||
+    if (!gather->close || gather_is_near(gather, receiver) ||
         !gather->close(gather->close_context, worker, receiver->point,
                        receiver->normal, receiver->from, &light))
         return false;
