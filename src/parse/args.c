@@ -196,7 +196,8 @@ static bool parse_points(struct parser *p, const struct field *field,
         if (points_flagged(p))
             return false;
         if (at_no_value(p))
-            return error_at(p, start, NULL,
+            return error_at(p, start,
+                            arena_printf(p->arena, "%zu", values.count),
                             "%s points are announced here, but only %zu follow",
                             NUMBER_TEXT(count), values.count);
         if (!field_point(p, field, &point))

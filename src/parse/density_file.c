@@ -38,8 +38,8 @@ static bool density_load(struct parser *p, const char *name, struct span span,
 {
     const char *path = file_find(p, name, ".df3"), *problem = NULL;
     if (!path)
-        return error_at(p, span, file_hint(p, name), "can't find the file '%s'",
-                        file_shown(p, name));
+        return error_at(p, span, file_hint(p, "file", name),
+                        "can't find the file '%s'", file_shown(p, name));
     for (struct density_cache *c = p->densities; c; c = c->next)
         if (strcmp(c->path, path) == 0) {
             *file = c->file;

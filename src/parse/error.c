@@ -419,6 +419,25 @@ static const char *error_assigned(struct parser *p, const char *wanted)
                                : "; no ':' stands between a word and its value";
 }
 
+/* The number behind that '=', with the word before it: `ior 1.5`. */
+static const char *error_assigned_hint(struct parser *p)
+{
+    enum { LONGEST = 40 };
+    size_t left;
+    const struct token *value = stream_raw(p, &left);
+    const struct span word = p->last_span;
+    if (!*error_assigned(p, "") || left == 0 ||
+        p->token_span.source != word.source || value->kind != TOKEN_NUMBER)
+        return NULL;
+    const char *text = word.source->text + value->offset;
+    const size_t length = strcspn(text, " \t\r\n,;(){}");
+    return length < LONGEST
+               ? arena_printf(p->arena, "%.*s %.*s", (int)word.length,
+                              word.source->text + word.offset, (int)length,
+                              text)
+               : NULL;
+}
+
 const char *error_last_word(const struct parser *p, int *length)
 {
     struct span last = p->last_span;
@@ -489,6 +508,8 @@ bool error_expected_hint(struct parser *p, const char *wanted, const char *hint)
         hint = wanted_signature(p, 1);
     if (!hint)
         hint = mistaken_value(p, wanted);
+    if (!hint)
+        hint = error_assigned_hint(p);
     error_at(p, stream_span(p), hint ? hint : wanted_example(p, wanted),
              "expected %s, found %s%s%s%s", wanted, error_found(p),
              kind ? ", " : "", kind ? kind : "", error_assigned(p, wanted));

@@ -78,8 +78,8 @@ const char *file_checked(struct parser *p, struct span span, const char *what,
     if (!path && file_unclosed(p, span, what))
         return NULL;
     if (!path)
-        error_at(p, span, file_hint(p, name), "can't find the %s '%s'", what,
-                 file_shown(p, name));
+        error_at(p, span, file_hint(p, what, name), "can't find the %s '%s'",
+                 what, file_shown(p, name));
     else if (denier)
         error_at(p, span,
                  arena_printf(p->arena,
@@ -211,7 +211,7 @@ const char *file_shown(struct parser *p, const char *name)
     return changed ? shown : name;
 }
 
-const char *file_hint(struct parser *p, const char *name)
+const char *file_hint(struct parser *p, const char *what, const char *name)
 {
     const char *better = file_without_escapes(p, name);
     if (!better)
@@ -237,8 +237,7 @@ const char *file_hint(struct parser *p, const char *name)
     const char *near = file_nearest_end(&nearest);
     if (near)
         return arena_printf(p->arena, "\"%s%s\"", folder, near);
-    bool font = text_equal_nocase(last + file_stem(last), ".ttf");
-    if (font && file_search(p, "timrom.ttf"))
+    if (strcmp(what, "font") == 0 && file_search(p, "timrom.ttf"))
         return "\"timrom.ttf\", \"cyrvetic.ttf\" and \"crystal.ttf\" come with "
                "POV-Ray";
     return arena_printf(p->arena, "%s; +LDIR adds others", list);

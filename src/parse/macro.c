@@ -94,7 +94,7 @@ static bool macro_parameters(struct parser *p, struct macro *macro)
                             "a parameter has no type, only its "
                             "name");
         if (name->reserved)
-            return error_at(p, span, NULL,
+            return error_at(p, span, mistaken_capital(p, name->text),
                             "'%s' is a reserved word; name the parameter "
                             "otherwise",
                             name->text);
@@ -119,7 +119,10 @@ static bool macro_run(struct parser *p, struct span at)
     struct cursor *cursor = p->cursor;
     const struct token *token = &cursor->list->tokens[cursor->index];
     if (token->kind != TOKEN_WORD || token->word->reserved) {
-        error_at(p, token_span(cursor->list, cursor->index), NULL,
+        error_at(p, token_span(cursor->list, cursor->index),
+                 token->kind == TOKEN_WORD
+                     ? mistaken_capital(p, token->word->text)
+                     : NULL,
                  token->kind == TOKEN_WORD ? "'%s' is a reserved word; "
                                              "name the macro otherwise"
                                            : "expected the macro's name%s",

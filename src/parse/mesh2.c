@@ -20,7 +20,7 @@ static bool plain_count(struct parser *p, const struct number_list *list,
 {
     *count = list->count;
     return list->said == (double)list->count ||
-           error_at(p, p->last_span, NULL,
+           error_at(p, p->last_span, arena_printf(p->arena, "%zu", list->count),
                     "the list should have %s items, here are %zu",
                     NUMBER_TEXT(list->said), list->count);
 }

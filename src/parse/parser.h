@@ -299,8 +299,9 @@ const char *file_checked(struct parser *p, struct span span, const char *what,
                          const char *name, const char *path);
 
 /* The hint for a file that was not found: one with nearly that name, or
- * "looked in ., /usr/share/...; +LDIR adds others". */
-const char *file_hint(struct parser *p, const char *name);
+ * "looked in ., /usr/share/...; +LDIR adds others";
+ * `what` is "font", "file" ... */
+const char *file_hint(struct parser *p, const char *what, const char *name);
 
 /* The name for messages: control characters as '?'. */
 const char *file_shown(struct parser *p, const char *name);

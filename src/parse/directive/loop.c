@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "parse/directive.h"
 #include "parse/function.h"
+#include "parse/mistaken.h"
 #include "parse/symbol.h"
 
 enum {
@@ -186,12 +187,13 @@ static bool for_head(struct parser *p, struct open_block *block)
         return error_expected_hint(p, "'('", "#for (i, 0, 9) ...");
     const struct token *token = stream_peek(p);
     if (token->kind == TOKEN_WORD && token->word->reserved)
-        return error_at(
-            p, p->token_span,
-            token->word->keyword == KEYWORD_INT ? "#for (i, 0, 9) ..." : NULL,
-            "'%s' is a reserved word; name the loop's variable "
-            "otherwise",
-            token->word->text);
+        return error_at(p, p->token_span,
+                        token->word->keyword == KEYWORD_INT
+                            ? "#for (i, 0, 9) ..."
+                            : mistaken_capital(p, token->word->text),
+                        "'%s' is a reserved word; name the loop's variable "
+                        "otherwise",
+                        token->word->text);
     if (token->kind != TOKEN_WORD)
         return error_expected(p, "the name of the loop's variable");
     block->variable = stream_next(p).word;
