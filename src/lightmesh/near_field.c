@@ -240,17 +240,22 @@ static double share_deep(const struct indirect_mesh *mesh, double met)
 }
 
 /* There the place gathers itself, for so much of what is known; what glows
- * near by isn't in it. */
+ * near by isn't in it. Less gets into a crevice than around it: more is the
+ * chance of few rays, seen as beads along the edges of rooms [truth]. */
 static void nearby_own(const struct nearby *nearby, double deep,
                        struct indirect_share *share,
                        struct indirect_light *light)
 {
     struct indirect_light own;
-    const struct indirect_share gets = near_own_gather(
+    struct indirect_share gets = near_own_gather(
         nearby->mesh, nearby->worker, nearby->receiver, deep, &own);
+    const double known = rgb_brightness(share->light),
+                 brought = rgb_brightness(gets.light),
+                 part = brought > known ? fmax(known, 0) / brought : 1;
+    gets.light = rgb_scale(gets.light, part);
     indirect_share_mix(share, &gets, deep);
     indirect_light_scale(light, (float)(1 - deep));
-    indirect_light_mix(light, &own, (float)deep);
+    indirect_light_mix(light, &own, (float)(part * deep));
 }
 
 struct near_share near_field_share(const struct indirect_mesh *mesh,
