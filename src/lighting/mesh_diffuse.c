@@ -32,13 +32,11 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     unsigned long long rays = worker->counters.shadow_rays;
     if ((asker->scatters || rgb_peak(ambient) > 0) &&
         !(known->pixels &&
-          indirect_pixels_light(known->pixels, worker, receiver, &share)) &&
-        !(beyond && !receiver->far_side &&
-          !indirect_mesh_leaves(mesh, receiver) &&
-          known->worth * receiver->weight < one_point_worth &&
-          indirect_mesh_nearest(mesh, worker, receiver, vec3_make(0, 0, 0),
-                                &share)))
-        share = indirect_mesh_light(mesh, worker, receiver);
+          indirect_pixels_light(known->pixels, worker, receiver, &share)))
+        share = beyond && !receiver->far_side &&
+                        known->worth * receiver->weight < mended_worth
+                    ? indirect_mesh_beyond(mesh, worker, receiver)
+                    : indirect_mesh_light(mesh, worker, receiver);
     if (worker->telling)
         telling_say(worker->telling,
                     "indirect: %.4g %.4g %.4g, %.3g of the ambient light, by "

@@ -112,8 +112,9 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
                                           struct worker *worker,
                                           const struct receiver *receiver);
 
-/* On what a ray from a place met: by mesh points alone. Those who mend send
- * rays themselves, and would be asked again by these without end. */
+/* By mesh points alone: on what is worth little, and on what a ray from a place
+ * met. Those who mend send rays themselves, and would be asked again by these
+ * without end. */
 struct indirect_share indirect_mesh_beyond(const struct indirect_mesh *mesh,
                                            struct worker *worker,
                                            const struct receiver *receiver);

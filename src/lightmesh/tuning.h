@@ -284,10 +284,10 @@ static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
 static const double answer_bend = 0.985; /* near to each other, cosine, */
 static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
-static const double one_point_worth = 0.02; /* what is worth no more beyond
-                                             * mirrors and glass takes one mesh
-                                             * point: neighbours differ by less
-                                             * than a fifth of that */
+static const double mended_worth = 0.02; /* what is worth less beyond mirrors
+                                          * and glass has no rays of its own [a
+                                          * watch under glass: a third of the
+                                          * time] */
 
 static const double near_field_reach = 0.85; /* spacings: what stands farther
                                               * off mesh points see [truth], */

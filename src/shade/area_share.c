@@ -16,6 +16,10 @@ enum { AREA_FRONT = 256 };
  * cut along them; and where it isn't adaptive. */
 enum { OUTLINE_LEAST = 2, OUTLINE_MOST = 5, OUTLINE_FULL = 3 };
 
+/* Behind one pane light differs by less between places that its author looks
+ * at: more is the outline of another. */
+static const double pane_even = 0.1;
+
 /* Part of the grid, both ends included, how often it was cut, and how much it
  * counts of the whole. */
 struct area_part {
@@ -337,19 +341,32 @@ static bool seen_through(rgb seen)
     return least < 1 && rgb_peak(seen) > 0;
 }
 
-/* How far from one end of an edge to the other the light changes, 0..1. Within
- * a pane there is no outline: it changes by and by. */
+/* How much two differ at most. */
+static double rgb_apart(rgb a, rgb b)
+{
+    return fmax(fabs(a.r - b.r), fmax(fabs(a.g - b.g), fabs(a.b - b.b)));
+}
+
+/* Whether it is like the first of two that differ. Behind panes light changes
+ * by and by as well: then that it is nearer to it. */
+static bool edge_like(const struct area_walk *walk, rgb seen, rgb first,
+                      rgb last)
+{
+    return seen_through(first) && seen_through(last)
+               ? rgb_apart(seen, first) < rgb_apart(seen, last)
+               : area_agree(walk, first, seen);
+}
+
+/* How far from one end of an edge to the other the light changes, 0..1. */
 static double edge_cut(struct area_walk *walk, int i0, int j0, int i1, int j1)
 {
-    rgb first = area_see(walk, i0, j0);
-    if (seen_through(first) && seen_through(area_see(walk, i1, j1)))
-        return 0.5;
+    const rgb first = area_see(walk, i0, j0), last = area_see(walk, i1, j1);
     int steps = abs(i1 - i0) + abs(j1 - j0), low = 0, high = steps;
     while (high - low > 1) {
         int middle = (low + high) / 2;
         rgb seen = area_see(walk, i0 + (i1 - i0) * middle / steps,
                             j0 + (j1 - j0) * middle / steps);
-        if (area_agree(walk, first, seen))
+        if (edge_like(walk, seen, first, last))
             low = middle;
         else
             high = middle;
@@ -467,11 +484,14 @@ static int outline_least(const struct area_walk *walk, rgb seen)
     return lit ? walk->surely + walk->thorough : walk->asked;
 }
 
-/* Whether it is all behind a pane. */
+/* Whether it is all behind one pane, as far as the corners tell. */
 static bool corners_seen_through(const struct area_corners *at)
 {
     return seen_through(at->a) && seen_through(at->b) && seen_through(at->c) &&
-           seen_through(at->d);
+           seen_through(at->d) && rgb_apart(at->a, at->b) < pane_even &&
+           rgb_apart(at->a, at->c) < pane_even &&
+           rgb_apart(at->b, at->d) < pane_even &&
+           rgb_apart(at->c, at->d) < pane_even;
 }
 
 static bool outline_tells(struct area_walk *walk, const struct area_part *part,
