@@ -104,21 +104,6 @@ void finish_lobes(const double cosines[RAY_LANES], double size, double amount,
         lobes[i] = cosines[i] > 0 ? amount * finish_lobe(cosines[i], size) : 0;
 }
 
-int finish_spreads(const struct finish *finish,
-                   struct finish_spread spreads[FINISH_ITEMS])
-{
-    int count = 0;
-    for (int i = 0; i < FINISH_ITEMS; i++) {
-        const struct finish_item *item = items[i];
-        const void *said = item->spread
-                               ? finish_part(finish, item, (enum finish_place)i)
-                               : NULL;
-        if (said)
-            spreads[count++] = item->spread(said);
-    }
-    return count;
-}
-
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,
                 double viewer)
 {

@@ -94,14 +94,6 @@ finish_meeting_at(const struct finish_meetings *meetings, unsigned i)
                                     lane_get(meetings->light, i) };
 }
 
-/* Where a highlight is seen, for paths to look there first: the cosine to the
- * mirrored view, or to the normal if it is of the halfway vector, to this
- * power. Of light from everywhere it gives about amount * share. */
-struct finish_spread {
-    bool halfway;
-    double power, amount, share;
-};
-
 struct finish_item {
     const char *name;
     /* Its words and what they say, of the struct that `said` points to:
@@ -117,8 +109,6 @@ struct finish_item {
     void (*highlight_many)(const void *said,
                            const struct finish_meetings *meetings,
                            double shares[RAY_LANES]);
-    /* The same for paths; NULL: they look nowhere else for its sake. */
-    struct finish_spread (*spread)(const void *said);
     /* Multiplies all light that goes from a lamp, or a mirrored thing, to the
      * viewer; their cosines to the normal. `point` in the world. */
     rgb (*tint)(const void *said, vec3 point, double lamp, double viewer);
@@ -197,10 +187,6 @@ double finish_highlight(const struct finish *finish,
 void finish_highlight_many(const struct finish *finish,
                            const struct finish_meetings *meetings,
                            unsigned lanes, double shares[RAY_LANES]);
-
-/* Where paths look for them; returns how many there are. */
-int finish_spreads(const struct finish *finish,
-                   struct finish_spread spreads[FINISH_ITEMS]);
 
 /* What tints make of white light. */
 rgb finish_tint(const struct finish *finish, vec3 point, double lamp,

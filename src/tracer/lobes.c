@@ -1,7 +1,5 @@
 /* Scattering lobes: see lobes.h. The densities follow the finish's formulas:
- * Lambert and brilliance cos^b, phong cos^m around the mirrored view, specular
- * cos^m of the halfway vector h, whose density becomes that of a direction
- * divided by 4 (v.h) (Torrance and Sparrow's Jacobian). */
+ * Lambert and brilliance cos^b. */
 #include "tracer/lobes.h"
 
 #include "base/warp.h"
@@ -11,12 +9,12 @@
 static const double wide_most = 2;
 
 static void lobes_add(struct lobes *lobes, vec3 axis, double power,
-                      double share, bool halfway)
+                      double share)
 {
     if (!(share > 0) || !isfinite(share) || !(power >= 0) || !isfinite(power) ||
         lobes->count == LOBES_MAX)
         return;
-    lobes->at[lobes->count++] = (struct lobe){ axis, power, share, halfway };
+    lobes->at[lobes->count++] = (struct lobe){ axis, power, share };
     lobes->total += share;
 }
 
@@ -32,49 +30,27 @@ static void lobes_add_diffuse(struct lobes *lobes,
     tone *= fabs(1 - layer->pigment.filter - layer->pigment.transmit);
     tone *= finish->diffuse_albedo ? 1 : 2 / (b + 1);
     double back = twice ? finish->diffuse : finish->diffuse_back;
-    lobes_add(lobes, layer->normal, b, tone * fabs(finish->diffuse), false);
-    lobes_add(lobes, vec3_negate(layer->normal), b, tone * fabs(back), false);
+    lobes_add(lobes, layer->normal, b, tone * fabs(finish->diffuse));
+    lobes_add(lobes, vec3_negate(layer->normal), b, tone * fabs(back));
 }
 
-static void lobes_add_highlights(struct lobes *lobes,
-                                 const struct surface_layer *layer)
+void lobes_fill(struct lobes *lobes, const struct surface *surface)
 {
-    struct finish_spread spreads[FINISH_ITEMS];
-    int count = finish_spreads(layer->finish, spreads);
-    double tone = rgb_peak(layer->weight);
-    double along = 2 * vec3_dot(lobes->view, layer->normal);
-    vec3 mirrored = vec3_sub(vec3_scale(layer->normal, along), lobes->view);
-    for (int i = 0; i < count; i++)
-        lobes_add(lobes, spreads[i].halfway ? layer->normal : mirrored,
-                  spreads[i].power,
-                  tone * fabs(spreads[i].amount) * spreads[i].share,
-                  spreads[i].halfway);
-}
-
-void lobes_fill(struct lobes *lobes, const struct surface *surface,
-                bool highlights)
-{
-    lobes->view = surface->view;
     lobes->light = 0;
     lobes->count = 0;
     lobes->total = 0;
-    for (int i = 0; i < surface->count; i++) {
-        const struct surface_layer *layer = &surface->layer[i];
-        lobes_add_diffuse(lobes, surface, layer);
-        if (highlights)
-            lobes_add_highlights(lobes, layer);
-    }
+    for (int i = 0; i < surface->count; i++)
+        lobes_add_diffuse(lobes, surface, &surface->layer[i]);
     for (int i = 0; i < lobes->count; i++)
         lobes->at[i].share /= lobes->total;
 }
 
 void lobes_fill_plate(struct lobes *lobes, vec3 normal)
 {
-    lobes->view = normal;
     lobes->light = 0;
     lobes->count = 0;
     lobes->total = 0;
-    lobes_add(lobes, normal, 1, 1, false);
+    lobes_add(lobes, normal, 1, 1);
 }
 
 void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
@@ -89,7 +65,7 @@ void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
     if (aim.count == 0)
         return;
     for (int i = 0; i < lobes->count; i++)
-        if (!lobes->at[i].halfway && lobes->at[i].power <= wide_most)
+        if (lobes->at[i].power <= wide_most)
             wide += lobes->at[i].share;
     for (int i = 0; i < aim.count; i++)
         sum += aim.at[i].chance;
@@ -98,27 +74,7 @@ void lobes_guide(struct lobes *lobes, const struct guide *guide, vec3 point,
     for (int i = 0; i < aim.count && lobes->count < LOBES_MAX; i++)
         lobes->at[lobes->count++] =
             (struct lobe){ aim.at[i].axis, aim.at[i].power,
-                           wide * aim.at[i].chance, false };
-}
-
-static vec3 lobe_sample(const struct lobe *lobe, vec3 view, const double u[2])
-{
-    vec3 v = warp_lobe(u, lobe->axis, lobe->power);
-    if (lobe->halfway)
-        v = vec3_sub(vec3_scale(v, 2 * vec3_dot(v, view)), view);
-    return vec3_normalise(v);
-}
-
-/* The vector that takes the view to the direction is h or -h; the lobe may
- * have drawn either. */
-static double lobe_density(const struct lobe *lobe, vec3 view, vec3 direction)
-{
-    if (!lobe->halfway)
-        return warp_lobe_density(vec3_dot(lobe->axis, direction), lobe->power);
-    vec3 half = vec3_normalise(vec3_add(view, direction));
-    double slope = 4 * fabs(vec3_dot(view, half));
-    double cosine = fabs(vec3_dot(lobe->axis, half));
-    return slope > 0 ? warp_lobe_density(cosine, lobe->power) / slope : 0;
+                           wide * aim.at[i].chance };
 }
 
 vec3 lobes_sample(const struct lobes *lobes, double which, const double u[2])
@@ -126,7 +82,7 @@ vec3 lobes_sample(const struct lobes *lobes, double which, const double u[2])
     int i = 0;
     for (; i < lobes->count - 1 && which >= lobes->at[i].share; i++)
         which -= lobes->at[i].share;
-    return lobe_sample(&lobes->at[i], lobes->view, u);
+    return vec3_normalise(warp_lobe(u, lobes->at[i].axis, lobes->at[i].power));
 }
 
 double lobes_density(const struct lobes *lobes, vec3 direction)
@@ -134,7 +90,8 @@ double lobes_density(const struct lobes *lobes, vec3 direction)
     double sum = 0;
     for (int i = 0; i < lobes->count; i++)
         sum += lobes->at[i].share *
-               lobe_density(&lobes->at[i], lobes->view, direction);
+               warp_lobe_density(vec3_dot(lobes->at[i].axis, direction),
+                                 lobes->at[i].power);
     return sum;
 }
 

@@ -1,6 +1,6 @@
 /* The directions into which a surface scatters, as lobes: the diffuse share of
- * every layer, in front and behind, and its highlights, which here reflect all
- * light and not lamps alone. Mirrors are not lobes. In POV-Ray's units a
+ * every layer, in front and behind. Highlights are of lamps alone, as in
+ * POV-Ray, and mirrors are not lobes either. In POV-Ray's units a
  * response of 1 over the hemisphere weighted with the cosine is a share of 1:
  * light scattered = integral of response * radiance / pi. */
 #ifndef TRACER_LOBES_H
@@ -9,17 +9,15 @@
 #include "lighting/guide.h"
 #include "shade/surface.h"
 
-enum { LOBES_MAX = 4 * TEXTURE_LAYERS + GUIDE_TARGETS };
+enum { LOBES_MAX = 2 * TEXTURE_LAYERS + GUIDE_TARGETS };
 
 struct lobe {
     vec3 axis;
     double power; /* density goes with cosine^power */
     double share; /* of all lobes, then the chance to be chosen */
-    bool halfway; /* the angle is that of the halfway vector */
 };
 
 struct lobes {
-    vec3 view; /* unit, to the viewer */
     int count;
     double light; /* indirect irradiance, about; 0: not known */
     double total; /* about the share of light that they scatter, largest of
@@ -27,9 +25,7 @@ struct lobes {
     struct lobe at[LOBES_MAX];
 };
 
-/* `highlights`: with theirs. */
-void lobes_fill(struct lobes *lobes, const struct surface *surface,
-                bool highlights);
+void lobes_fill(struct lobes *lobes, const struct surface *surface);
 
 /* The lobe of a plate that light falls on. */
 void lobes_fill_plate(struct lobes *lobes, vec3 normal);

@@ -69,7 +69,6 @@ enum {
 struct meeting {
     struct crossing crossing;
     struct ways ways; /* but for scattering */
-    bool highlights;  /* count */
     struct lobes lobes;
     struct draws draws;
 };
@@ -146,17 +145,16 @@ static void walk_leave(struct walk *walk, const struct crossing *crossing,
 struct scatterer {
     const struct surface *surface;
     const struct lobes *lobes;
-    bool scatters;   /* rays, too */
-    bool highlights; /* count */
+    bool scatters; /* rays, too */
+    bool seen;     /* by the camera: highlights count */
 };
 
 static rgb scatterer_response(const void *context, vec3 direction, bool lamp,
                               bool highlights)
 {
     const struct scatterer *scatterer = context;
-    (void)lamp;
     return surface_response(scatterer->surface, direction,
-                            highlights && scatterer->highlights);
+                            highlights && lamp && scatterer->seen);
 }
 
 static double scatterer_density(const void *context, vec3 direction)
@@ -193,7 +191,6 @@ static void walk_value(struct walk *walk, const struct meeting *meeting,
 struct photon_asker {
     struct walk *walk;
     const struct surface *surface;
-    bool highlights;
 };
 
 /* What photons bring, which no ray finds: light of lamps that was bent. */
@@ -201,14 +198,14 @@ static void walk_photon(void *context, const struct light_sample *sample)
 {
     const struct photon_asker *asker = context;
     rgb response =
-        surface_response(asker->surface, sample->direction, asker->highlights);
+        surface_response(asker->surface, sample->direction, asker->walk->split);
     walk_gather(asker->walk, rgb_mul(response, sample->colour));
 }
 
 static void walk_photons(struct walk *walk, const struct meeting *meeting)
 {
     const struct surface *surface = &meeting->crossing.surface;
-    struct photon_asker asker = { walk, surface, meeting->highlights };
+    struct photon_asker asker = { walk, surface };
     photons_light(walk->tracer, walk->worker, surface, walk_photon, &asker);
 }
 
@@ -216,7 +213,7 @@ static void walk_direct(struct walk *walk, struct meeting *meeting)
 {
     const struct crossing *crossing = &meeting->crossing;
     struct scatterer scatterer = { &crossing->surface, &meeting->lobes,
-                                   walk_scatters(walk), meeting->highlights };
+                                   walk_scatters(walk), walk->split };
     struct receiver receiver = {
         .point = crossing->at.point,
         .inside = &walk->inside,
@@ -250,8 +247,7 @@ static bool walk_scatter(struct walk *walk, const struct meeting *meeting,
     vec3 direction =
         lobes_sample(&meeting->lobes, draw_unit(draws, SLOT_LOBE), u);
     double density = lobes_density(&meeting->lobes, direction);
-    rgb response =
-        surface_response(&crossing->surface, direction, meeting->highlights);
+    rgb response = surface_response(&crossing->surface, direction, false);
     if (rgb_peak(response) == 0 || !(density > 0) || !isfinite(density))
         return false;
     walk->share =
@@ -430,21 +426,15 @@ static void walk_ambient(struct walk *walk, const struct meeting *meeting)
 /* Finishes may send back more than they get. What the camera sees of such a
  * surface is as bright as it says; from one surface to the next the light must
  * not grow (shade/finish.h, surface_returned), and a sky sends none of it on
- * (shade/ambience.h). Highlights, which stand for mirrors, are the first to go:
- * in glass, which reflects all light at its back, it would grow for ever. */
-static void walk_restrain(struct walk *walk, struct meeting *meeting)
+ * (shade/ambience.h). */
+static void walk_restrain(struct walk *walk, const struct meeting *meeting)
 {
     if (walk->split)
         return;
     const struct surface *surface = &meeting->crossing.surface;
     double solid = 1 - fmin(surface_sky(surface), 1);
     double restraint = surface_restraint(surface);
-    double clear = ways_total(&meeting->ways);
-    if (meeting->lobes.total + clear > RETURNED_MOST) {
-        meeting->highlights = false;
-        lobes_fill(&meeting->lobes, surface, false);
-    }
-    double total = meeting->lobes.total + clear;
+    double total = meeting->lobes.total + ways_total(&meeting->ways);
     if (meeting->lobes.total > 0 && total * restraint > RETURNED_MOST)
         restraint = RETURNED_MOST / total;
     walk->share = rgb_scale(walk->share, solid * restraint);
@@ -456,6 +446,14 @@ static rgb walk_beyond(const struct walk *walk, double *clear)
     rgb light = tracer_background(walk->tracer, walk->ray.direction,
                                   walk->straight, clear);
     return walk_sees_sky(walk) ? light : rgb_grey(0);
+}
+
+static bool walk_shines(const struct surface *surface)
+{
+    for (int i = 0; i < surface->count; i++)
+        if (finish_shines(surface->layer[i].finish))
+            return true;
+    return false;
 }
 
 /* Meets what the ray hits. False if the path ends there. */
@@ -479,10 +477,9 @@ static bool walk_meet(struct walk *walk, struct meeting *meeting)
     const struct arrival arrival = { walk->tracer, walk->ray.direction,
                                      walk->level, walk->split };
     ways_find(&meeting->ways, &arrival, crossing);
-    meeting->highlights = true;
-    lobes_fill(&meeting->lobes, surface, true);
+    lobes_fill(&meeting->lobes, surface);
     walk_restrain(walk, meeting);
-    if (meeting->lobes.total > 0)
+    if (meeting->lobes.total > 0 || (walk->split && walk_shines(surface)))
         walk_direct(walk, meeting);
     return walk_on(walk, meeting);
 }

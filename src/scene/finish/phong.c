@@ -45,17 +45,6 @@ static void phong_highlight_many(const void *said,
     finish_lobes(cosines, finish->phong_size, phong_amount(finish), shares);
 }
 
-static struct finish_spread phong_spread(const void *said)
-{
-    const struct finish *finish = said;
-    double m = fmax(finish->phong_size, 0);
-    return (struct finish_spread){
-        .power = m,
-        .amount = finish->phong,
-        .share = finish->phong_albedo ? 1 : 2 / (m + 1),
-    };
-}
-
 static const struct field fields[] = {
     FINISH_FIELD("phong", FIELD_FLOAT, phong, "highlights: how bright, 0"),
     FINISH_FIELD("phong_size", FIELD_FLOAT, phong_size,
@@ -70,5 +59,4 @@ const struct finish_item phong_finish = {
     .amount = offsetof(struct finish, phong),
     .highlight = phong_highlight,
     .highlight_many = phong_highlight_many,
-    .spread = phong_spread,
 };

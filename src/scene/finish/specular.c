@@ -54,20 +54,6 @@ static void specular_highlight_many(const void *said,
     finish_lobes(cosines, m, specular_amount(finish, m), shares);
 }
 
-static struct finish_spread specular_spread(const void *said)
-{
-    const struct finish *finish = said;
-    double m = 1 / finish->roughness;
-    if (!(finish->roughness > 0))
-        return (struct finish_spread){ .share = 0 };
-    return (struct finish_spread){
-        .halfway = true,
-        .power = m,
-        .amount = finish->specular,
-        .share = finish->specular_albedo ? 2 : 8 / (m + 1),
-    };
-}
-
 static const struct field fields[] = {
     FINISH_FIELD("specular", FIELD_FLOAT, specular,
                  "highlights: how bright, 0"),
@@ -83,5 +69,4 @@ const struct finish_item specular_finish = {
     .amount = offsetof(struct finish, specular),
     .highlight = specular_highlight,
     .highlight_many = specular_highlight_many,
-    .spread = specular_spread,
 };

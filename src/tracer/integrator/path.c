@@ -139,7 +139,7 @@ static rgb plate_response(const void *context, vec3 direction, bool lamp,
     const struct lobes *lobes = context;
     (void)lamp;
     (void)highlights;
-    return rgb_grey(fmax(vec3_dot(lobes->view, direction), 0));
+    return rgb_grey(fmax(vec3_dot(lobes->at[0].axis, direction), 0));
 }
 
 static double plate_density(const void *context, vec3 direction)
