@@ -268,6 +268,16 @@ static bool ini_is_named(const char *name)
     return length > 4 && text_equal_nocase(name + length - 4, ".ini");
 }
 
+/* Whether a shell has made two words of the name of a file that there is. */
+static bool ini_is_split(struct option_reader *reader, const char *name,
+                         const char *next)
+{
+    static const char *const exact[] = { "", NULL };
+    return next && option_search(
+                       reader, arena_printf(reader->arena, "%s %s", name, next),
+                       exact) != NULL;
+}
+
 /* Says what to type instead when there is no such INI file. */
 static bool ini_missing(struct option_reader *reader, const char *name,
                         const struct setting *setting)
@@ -277,6 +287,10 @@ static bool ini_missing(struct option_reader *reader, const char *name,
     const char *scene = option_search(reader, name, scenes);
     const char *file = option_search(reader, name, exact);
     struct setting plain = { .span = setting->span };
+    if (ini_is_split(reader, name, setting->next))
+        return option_fail(reader, &plain,
+                           "a name with blanks stands in quotes: type '%s %s'",
+                           name, setting->next);
     if (file)
         return option_fail(reader, &plain,
                            "'%s' is not a scene by its name and not an INI "

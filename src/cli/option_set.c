@@ -48,7 +48,7 @@ bool option_wants(struct option_reader *reader, const struct option *option,
         return true;
     const char *next = setting->next;
     bool scene = next && text_equal_nocase(next + strcspn(next, "."), ".pov");
-    if (next && *next && !strchr("+-", *next) &&
+    if (next && *next && (!strchr("+-", *next) || strcmp(next, "-") == 0) &&
         (!scene || strstr(example, ".pov"))) {
         reader->took_next = true;
         example = next;
@@ -70,8 +70,9 @@ bool option_read_number(struct option_reader *reader,
         !strchr("+-.=", *setting->value))
         return option_unknown(reader, setting, setting->shown);
     if (*setting->value == '=' && option_number(setting->value + 1, number))
-        return option_fail(reader, setting, "no '=' stands here: type +%s%s",
-                           option->letters, setting->value + 1);
+        return option_fail(reader, setting, "no '=' stands here: type %s%s",
+                           option_typed(reader, option, setting),
+                           setting->value + 1);
     size_t first = strspn(setting->value, "0123456789.");
     if (!setting->by_key && first && strchr("+- ", setting->value[first]))
         return option_fail(reader, setting,

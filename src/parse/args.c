@@ -169,6 +169,15 @@ bool points_flagged(struct parser *p)
     return true;
 }
 
+/* Whether another point follows. */
+static bool points_go_on(struct parser *p)
+{
+    size_t left;
+    const struct token *token = stream_peek(p), *next = stream_raw(p, &left);
+    return token->kind == TOKEN_LESS ||
+           (token->kind == TOKEN_COMMA && left > 0 && next->kind == TOKEN_LESS);
+}
+
 /* points = float {[","] vector} . */
 static bool parse_points(struct parser *p, const struct field *field,
                          struct points *points)
@@ -206,7 +215,7 @@ static bool parse_points(struct parser *p, const struct field *field,
     }
     ARRAY_FIT(p->scene_arena, &values);
     *points = (struct points){ values.items, values.count };
-    return stream_peek(p)->kind != TOKEN_LESS ||
+    return !points_go_on(p) ||
            error_at(p, start, NULL,
                     "%s points are announced here, but more follow",
                     NUMBER_TEXT(count));

@@ -1,4 +1,5 @@
 /* Media: matter that emits, swallows or scatters light, and its densities. */
+#include "parse/expression.h"
 #include "parse/rules.h"
 #include "parse/tables.h"
 #include "scene/medium.h"
@@ -88,7 +89,9 @@ static bool scattering_body(struct parser *p, struct medium *medium)
     int type;
     struct span span = stream_span(p);
     colour amount;
-    if (!at_expression(p))
+    const struct token *token = stream_peek(p);
+    if (!at_expression(p) ||
+        (token->kind == TOKEN_WORD && colour_begins(token->word->keyword)))
         return error_expected_hint(p, "the kind of scattering, from 1 to 5",
                                    "1, rgb 1");
     if (!parse_integer(p, &type))

@@ -32,6 +32,7 @@ static const struct synonym synonyms[] = {
     { "or", "", "|" },
     { "not", "", "!" },
     { "f_noise", "", "f_noise3d(x, y, z)" },
+    { "sqr", "", "pow(x, 2)" },
     { "catmull_rom_spline catmull_rom", "", "cubic_spline" },
     { "vec2", "", "<1, 2> ..." },
     { "vec3 vector vector3 float3", "", "<1, 2, 3> ..." },
@@ -60,6 +61,10 @@ static const struct synonym synonyms[] = {
     { "faces triangles", "mesh2", "face_indices" },
     { "normals", "mesh2", "normal_vectors" },
     { "uvs", "mesh2", "uv_vectors" },
+    { "box sphere cylinder cone torus plane blob union difference intersection "
+      "merge",
+      "object", "union { ... }" },
+    { "vertex_vectors texture_list face_indices", "mesh", "mesh2 { ... }" },
     { "texture_map", "texture", "gradient y texture_map { ... }" },
     { "sqrt", "julia_fractal", "sqr" },
     { "fov field_of_view zoom", NULL, "angle" },
@@ -107,6 +112,7 @@ static const struct synonym synonyms[] = {
     { "ramp", NULL, "gradient y" },
     { "gradient_map", NULL, "color_map" },
     { "rgba", NULL, "rgbt" },
+    { "hsv hsl", NULL, "CHSV2RGB(<120, 1, 1>)" },
     { "background_color background_colour", NULL, "background { ... }" },
 };
 
@@ -155,13 +161,15 @@ const char *mistaken_value(struct parser *p, const char *wanted)
                : NULL;
 }
 
+static const char elseif_words[] = "elif elsif";
+
 static const struct {
     const char *words;
     enum keyword meant;
 } directive_words[] = {
     { "define set let var const", KEYWORD_DECLARE },
     { "import require", KEYWORD_INCLUDE },
-    { "elif elsif", KEYWORD_ELSEIF },
+    { elseif_words, KEYWORD_ELSEIF },
     { "endif endwhile endfor endmacro endswitch fi done", KEYWORD_END },
     { "print echo", KEYWORD_DEBUG },
     { "unset", KEYWORD_UNDEF },
@@ -205,6 +213,12 @@ bool mistaken_named(struct parser *p)
               : NULL,
         "arguments have no names; which is which is told by their order");
     return true;
+}
+
+bool mistaken_elseif(const struct token *token)
+{
+    return token->kind == TOKEN_DIRECTIVE &&
+           text_among(token->word->text, elseif_words);
 }
 
 enum keyword mistaken_directive_word(const struct word *word)

@@ -33,6 +33,10 @@ extern const char mistaken_fillers[];
 /* The directive that is meant by the word after a '#', or KEYWORD_NONE. */
 enum keyword mistaken_directive_word(const struct word *word);
 
+/* Whether it is an #elseif as others write it: where text is skipped nobody
+ * else says so. */
+bool mistaken_elseif(const struct token *token);
+
 /* If the next token is a directive without its '#', or a declaration without
  * #declare: reports it, runs it and returns true. */
 bool mistaken_statement(struct parser *p);

@@ -387,7 +387,14 @@ bool expect(struct parser *p, enum token_kind kind, struct span open)
 {
     if (accept(p, kind))
         return true;
-    error_expected(p, token_kind_name(kind));
+    const enum token_kind found = stream_peek(p)->kind;
+    const bool closes = (found == TOKEN_RBRACE || found == TOKEN_RPAREN ||
+                         found == TOKEN_RBRACKET) &&
+                        (kind == TOKEN_RPAREN || kind == TOKEN_RBRACKET ||
+                         kind == TOKEN_GREATER);
+    const char *name = token_kind_name(kind);
+    error_expected_hint(
+        p, name, closes ? arena_printf(p->arena, "%.1s", name + 1) : NULL);
     if (open.source)
         note_at(p, open, "to match this '%.*s'", (int)open.length,
                 open.source->text + open.offset);
@@ -522,6 +529,10 @@ enum keyword stream_skip_block(struct parser *p, const enum keyword *stops,
         for (size_t i = 0; depth == 0 && stops[i]; i++)
             if (keyword == stops[i])
                 return keyword;
+        if (depth == 0 && mistaken_elseif(token))
+            warning_at(p, token_span(cursor->list, cursor->index), "#elseif",
+                       "'#%s' is no directive: this is skipped",
+                       token->word->text);
         if (stream_block_opens(keyword))
             depth++;
         else if (keyword == KEYWORD_END && depth > 0)
