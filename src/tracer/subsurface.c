@@ -325,12 +325,6 @@ static uint64_t place_key(vec3 place)
     return random_key(random_key(bits[0], bits[1]), bits[2]);
 }
 
-/* Half of the samples that POV-Ray takes have less noise than all of its. */
-static int looks(int samples)
-{
-    return (samples + 1) / 2;
-}
-
 static rgb body_light(const struct seen_body *body)
 {
     const struct subsurface_settings *said =
@@ -340,7 +334,7 @@ static rgb body_light(const struct seen_body *body)
     struct draws draws = { place_key(surface->point), 0 };
     rgb often = rgb_grey(0), once = rgb_grey(0);
     double missed = 0;
-    const int counts[2] = { looks(said->samples[0]), looks(said->samples[1]) };
+    const int *counts = said->samples;
     if (!(cosine > 0))
         return often;
     for (int i = 0; i < counts[0]; i++) {
