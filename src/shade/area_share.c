@@ -484,14 +484,23 @@ static int outline_least(const struct area_walk *walk, rgb seen)
     return lit ? walk->surely + walk->thorough : walk->asked;
 }
 
-/* Whether it is all behind one pane, as far as the corners tell. */
-static bool corners_seen_through(const struct area_corners *at)
+/* Whether it is all behind one pane, as far as its corners tell, and, where
+ * they differ, its middle: an outline leaves that like one of them. */
+static bool part_seen_through(struct area_walk *walk,
+                              const struct area_part *part,
+                              const struct area_corners *at)
 {
-    return seen_through(at->a) && seen_through(at->b) && seen_through(at->c) &&
-           seen_through(at->d) && rgb_apart(at->a, at->b) < pane_even &&
-           rgb_apart(at->a, at->c) < pane_even &&
-           rgb_apart(at->b, at->d) < pane_even &&
-           rgb_apart(at->c, at->d) < pane_even;
+    if (!seen_through(at->a) || !seen_through(at->b) || !seen_through(at->c) ||
+        !seen_through(at->d))
+        return false;
+    const double most =
+        fmax(fmax(rgb_apart(at->a, at->b), rgb_apart(at->a, at->c)),
+             fmax(rgb_apart(at->b, at->d), rgb_apart(at->c, at->d)));
+    if (most < pane_even)
+        return true;
+    const rgb middle =
+        area_see(walk, (part->i0 + part->i1) / 2, (part->j0 + part->j1) / 2);
+    return rgb_apart(middle, corners_mean(at)) < pane_even / 2;
 }
 
 static bool outline_tells(struct area_walk *walk, const struct area_part *part,
@@ -502,7 +511,7 @@ static bool outline_tells(struct area_walk *walk, const struct area_part *part,
     bool last = part->level >= outline_cuts(walk->grid->adaptive);
     if (agree && (last || part->level >= outline_least(walk, at.a)))
         *share = corners_mean(&at);
-    else if (part->level >= walk->asked && corners_seen_through(&at))
+    else if (part->level >= walk->asked && part_seen_through(walk, part, &at))
         *share = corners_mean(&at);
     else if (last)
         *share = outline_cut(walk, &at, part);

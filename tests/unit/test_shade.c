@@ -451,7 +451,8 @@ static void test_area_outline(void **state)
 }
 
 /* A pane before all of the light, that lets more pass to one side: no outline
- * is looked for, and no more points are asked than the author has written. */
+ * is looked for, and no more points are asked than the author has written and
+ * one between each four of them. */
 static void through_pane(void *context, const struct area_points *points,
                          rgb *seen)
 {
@@ -469,7 +470,27 @@ static void test_area_outline_behind_pane(void **state)
         struct only pane = { 0 };
         assert_true(fabs(outline_share(&light, through_pane, &pane) - 0.5) <
                     1e-9);
-        assert_true(pane.asked <= size * size);
+        assert_true(pane.asked <= size * size + (size - 1) * (size - 1));
+    }
+}
+
+/* And an outline of one pane behind another: right to half a step. */
+static void through_panes(void *context, const struct area_points *points,
+                          rgb *seen)
+{
+    const double *edge = context;
+    for (int k = 0; k < points->count; k++)
+        seen[k] = rgb_grey(points->location[0][k] < *edge ? 0.8 : 0.4);
+}
+
+static void test_area_outline_of_panes(void **state)
+{
+    (void)state;
+    for (double edge = -0.45; edge < 0.5; edge += 0.05) {
+        struct light light = unit_light(5, 5, -1);
+        double seen = outline_share(&light, through_panes, &edge);
+        assert_true(fabs(seen - (0.4 + 0.4 * (edge + 0.5))) <=
+                    0.4 * (0.5 / AREA_FINE + 1e-3));
     }
 }
 
@@ -560,6 +581,7 @@ int main(void)
         cmocka_unit_test(test_area_outline),
         cmocka_unit_test(test_area_outline_of_disc),
         cmocka_unit_test(test_area_outline_behind_pane),
+        cmocka_unit_test(test_area_outline_of_panes),
         cmocka_unit_test(test_area_refined),
         cmocka_unit_test(test_area_shapes),
     };
