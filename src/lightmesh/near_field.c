@@ -253,9 +253,10 @@ static void nearby_own(const struct nearby *nearby, double deep,
                  brought = rgb_brightness(gets.light),
                  part = brought > known ? fmax(known, 0) / brought : 1;
     gets.light = rgb_scale(gets.light, part);
+    indirect_light_dim(&own, part, 1);
     indirect_share_mix(share, &gets, deep);
     indirect_light_scale(light, (float)(1 - deep));
-    indirect_light_mix(light, &own, (float)(part * deep));
+    indirect_light_mix(light, &own, (float)deep);
 }
 
 struct near_share near_field_share(const struct indirect_mesh *mesh,

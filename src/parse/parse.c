@@ -96,7 +96,8 @@ static bool parse_headers(struct parser *p)
         const char *name = options->include_headers[i - 1], *problem = NULL;
         const char *path = file_locate(p, name, ".inc");
         if (!path)
-            return error_at(p, span_none(), file_hint(p, "scene", name),
+            return error_at(p, span_none(),
+                            file_hint(p, "include header", name),
                             "can't find the include header '%s'", name);
         const struct source *source =
             source_read(p->sources, path, span_none(), &problem);
