@@ -268,11 +268,13 @@ static bool ini_is_named(const char *name)
     return length > 4 && text_equal_nocase(name + length - 4, ".ini");
 }
 
+/* A name as it is written: see option_search. */
+static const char *const exact[] = { "", NULL };
+
 /* Whether a shell has made two words of the name of a file that there is. */
 static bool ini_is_split(struct option_reader *reader, const char *name,
                          const char *next)
 {
-    static const char *const exact[] = { "", NULL };
     return next && option_search(
                        reader, arena_printf(reader->arena, "%s %s", name, next),
                        exact) != NULL;
@@ -283,7 +285,6 @@ static bool ini_missing(struct option_reader *reader, const char *name,
                         const struct setting *setting)
 {
     static const char *const scenes[] = { ".pov", ".POV", NULL };
-    static const char *const exact[] = { "", NULL };
     const char *scene = option_search(reader, name, scenes);
     const char *file = option_search(reader, name, exact);
     struct setting plain = { .span = setting->span };
@@ -357,7 +358,6 @@ bool ini_read(struct option_reader *reader, const char *name,
               const struct setting *setting)
 {
     static const char *const extensions[] = { ".ini", ".INI", NULL };
-    static const char *const exact[] = { "", NULL };
     const char *section = NULL;
     size_t length = strlen(name), open = strcspn(name, "[");
     if (open && open < length && name[length - 1] == ']') {

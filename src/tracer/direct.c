@@ -268,7 +268,7 @@ rgb direct_emitters(const struct tracer *tracer, struct worker *worker,
                        draw_unit(draws, SLOT_EMITTER), u, &pick))
         return rgb_grey(0);
     rgb share =
-        receiver->response(receiver->context, pick.direction, false, true);
+        receiver->response(receiver->context, pick.direction, false, false);
     if (rgb_peak(share) == 0)
         return share;
     return rgb_scale(rgb_mul(share, emitter_seen(&question, &pick)),

@@ -17,7 +17,8 @@ struct receiver {
                                               * the other */
     vec3 normal; /* tells the sides apart; zero: there is only `inside` */
     /* What it makes of white light from a direction; `lamp`: a lamp's, not
-     * radiance. */
+     * radiance; `highlights`: with those, which no shadowless lamp and nothing
+     * that glows makes. */
     rgb (*response)(const void *context, vec3 direction, bool lamp,
                     bool highlights);
     /* The density of the rays it scatters there; 0: it scatters none. */

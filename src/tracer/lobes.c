@@ -34,11 +34,16 @@ static void lobes_add_diffuse(struct lobes *lobes,
     lobes_add(lobes, vec3_negate(layer->normal), b, tone * fabs(back));
 }
 
-void lobes_fill(struct lobes *lobes, const struct surface *surface)
+static void lobes_start(struct lobes *lobes)
 {
     lobes->light = 0;
     lobes->count = 0;
     lobes->total = 0;
+}
+
+void lobes_fill(struct lobes *lobes, const struct surface *surface)
+{
+    lobes_start(lobes);
     for (int i = 0; i < surface->count; i++)
         lobes_add_diffuse(lobes, surface, &surface->layer[i]);
     for (int i = 0; i < lobes->count; i++)
@@ -47,9 +52,7 @@ void lobes_fill(struct lobes *lobes, const struct surface *surface)
 
 void lobes_fill_plate(struct lobes *lobes, vec3 normal)
 {
-    lobes->light = 0;
-    lobes->count = 0;
-    lobes->total = 0;
+    lobes_start(lobes);
     lobes_add(lobes, normal, 1, 1);
 }
 

@@ -153,8 +153,9 @@ static rgb scatterer_response(const void *context, vec3 direction, bool lamp,
                               bool highlights)
 {
     const struct scatterer *scatterer = context;
+    (void)lamp;
     return surface_response(scatterer->surface, direction,
-                            highlights && lamp && scatterer->seen);
+                            highlights && scatterer->seen);
 }
 
 static double scatterer_density(const void *context, vec3 direction)
