@@ -35,9 +35,11 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
     if (plan->indirect.bounces == 0)
         return;
-    plan->indirect.near_own =
+    const struct plan_own own =
         plan_own_rays(&scene->settings.light_mesh, &mesh->survey,
                       &plan->indirect.lattice, &plan->indirect.view);
+    plan->indirect.near_own = own.rays;
+    plan->indirect.own_worth = own.worth;
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
                                        &mesh->ambience, &plan->indirect);
 }

@@ -39,6 +39,7 @@ static struct indirect_mesh *bounce_new(const struct direct_mesh *direct,
     mesh->near_more = near_ways_new(options->near_more);
     mesh->near_beside = near_ways_new(NEAR_BESIDE);
     mesh->near_own = near_ways_new(options->near_own);
+    mesh->own_worth = options->own_worth;
     mesh->near_onwards = near_onwards_new(
         &mesh->gather, (int)fmax(options->near, options->near_own));
     if (bounce == 1)

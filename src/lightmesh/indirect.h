@@ -35,7 +35,8 @@ struct indirect_options {
     int near, near_lone, near_more; /* rays to what is close to a corner of many
                                      * pixels, to a place that is seen alone,
                                      * and to more of these in a pixel; */
-    int near_own;                   /* and of a place in a crevice */
+    int near_own;                   /* and of a place in a crevice, */
+    double own_worth;               /* which count so much, 0 to 1 */
     const struct bright *bright;    /* where most light comes from; NULL: nobody
                                      * looked */
     const struct virtual_lights *virtual_lights; /* NULL: there are none */
@@ -67,7 +68,8 @@ struct indirect_mesh {
     struct near_ways near, near_lone, near_more; /* of near rays, as of its
                                                   * options, */
     struct near_ways near_beside;                /* beside what glows, */
-    struct near_ways near_own;                   /* and in a crevice */
+    struct near_ways near_own;                   /* and in a crevice, */
+    double own_worth;                            /* which count so much */
     struct onwards near_onwards;                 /* likewise */
     struct near_glow *near_glow; /* what mesh points leave out; or NULL */
 };

@@ -231,12 +231,13 @@ static double share_left(double hidden, double all)
 }
 
 /* How far the place is in a crevice, 0 to 1: there many of them do. A picture
- * that is full of these has few rays, for the deepest. */
+ * that has many of these has few rays, for the deepest. */
 static double share_deep(const struct indirect_mesh *mesh, double met)
 {
     const double from =
         mesh->near_own.count > RAY_LANES ? near_shallow : near_full;
-    return fmin(fmax((met - from) / (near_deep - near_shallow), 0), 1);
+    return mesh->own_worth *
+           fmin(fmax((met - from) / (near_deep - near_shallow), 0), 1);
 }
 
 /* There the place gathers itself, for so much of what is known; what glows
@@ -295,7 +296,7 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
     const double deep = share_deep(mesh, met);
-    if (deep > 0 && mesh->near_own.count > 0 && !nearby.dear)
+    if (deep > 0 && !nearby.dear)
         nearby_own(&nearby, deep, &share, light);
     return (struct near_share){ share, met };
 }

@@ -99,14 +99,18 @@ static double survey_crevices(const struct survey *survey,
     return survey->sights > 0 ? (double)deep / survey->sights : 0;
 }
 
-int plan_own_rays(const struct light_mesh_settings *said,
-                  const struct survey *survey, const struct lattice *lattice,
-                  const struct lattice_view *view)
+/* In whole packets, if there are more than one. */
+struct plan_own plan_own_rays(const struct light_mesh_settings *said,
+                              const struct survey *survey,
+                              const struct lattice *lattice,
+                              const struct lattice_view *view)
 {
-    const double finer = plan_finer(said),
+    const double finer = plan_finer(said) * plan_finer(said),
                  share = survey_crevices(survey, lattice, view),
-                 rays = NEAR_OWN_RAYS * finer * finer;
-    const int packets =
-        (int)(rays * fmin(own_usual / share, 1) / RAY_LANES + 0.5);
-    return (packets > 1 ? packets : 1) * RAY_LANES;
+                 rays = NEAR_OWN_RAYS * finer * fmin(own_usual / share, 1),
+                 worth = rays / NEAR_OWN_LEAST - 1;
+    const double whole = rays > RAY_LANES ? RAY_LANES : 1;
+    return worth > 0 ? (struct plan_own){ (int)(round(rays / whole) * whole),
+                                          fmin(2 * worth, 1) }
+                     : (struct plan_own){ 0, 0 };
 }

@@ -25,10 +25,17 @@ int plan_picks(const struct light_mesh_settings *said,
 int plan_glow_picks(const struct light_mesh_settings *said,
                     const struct survey *survey, int times);
 
-/* To all around a place in a crevice (near_own.h), in whole packets: more than
- * one, unless the picture is full of crevices. */
-int plan_own_rays(const struct light_mesh_settings *said,
-                  const struct survey *survey, const struct lattice *lattice,
-                  const struct lattice_view *view);
+/* To all around a place in a crevice (near_own.h): the more places are in one,
+ * the fewer, since they would be a third of the picture's time. So few that
+ * they tell little count for less, 0 to 1. */
+struct plan_own {
+    int rays;
+    double worth;
+};
+
+struct plan_own plan_own_rays(const struct light_mesh_settings *said,
+                              const struct survey *survey,
+                              const struct lattice *lattice,
+                              const struct lattice_view *view);
 
 #endif

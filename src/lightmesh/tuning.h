@@ -221,7 +221,8 @@ enum {
                           * which a packet tells whether that matters; */
     NEAR_GLOW_FEW = 4,   /* to what glows, of what is worth little */
     NEAR_BESIDE = 32,    /* to what is close where something glows [furnace] */
-    NEAR_OWN_RAYS = 32,  /* of a place in a crevice [contact] */
+    NEAR_OWN_RAYS = 32,  /* of a place in a crevice [contact], */
+    NEAR_OWN_LEAST = 4,  /* of which so few tell nothing [light-point] */
     LONE_PLACES = 4,     /* of a pixel, that its rays share */
     ANSWERS_MOST = 4,    /* likewise, of what they were told */
     PIXEL_SLOTS = 16,    /* both are kept for so many that were last refined */
@@ -286,8 +287,7 @@ static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
 static const double mended_worth = 0.02; /* what is worth less beyond mirrors
                                           * and glass has no rays of its own [a
-                                          * watch under glass: a third of the
-                                          * time] */
+                                          * third of the time of a watch] */
 
 static const double near_field_reach = 0.85; /* spacings: what stands farther
                                               * off mesh points see [truth], */
