@@ -18,7 +18,7 @@
 #include "shade/shadow.h"
 
 enum {
-    RAYS_LEAST = 16, /* of a zone */
+    RAYS_LEAST = 64, /* of a zone [pillars] */
     PATCH_MOST = 64, /* of a patch, where there are few */
 };
 

@@ -8,6 +8,7 @@
 #include "base/side.h"
 
 enum {
+    WIDTHS = 3,         /* regions of a chamber, the wider ones first */
     FINEST = 32,        /* the least width is so small a part of the grid */
     PIECES_MOST = 4000, /* if there are more, they are cut coarser, */
     COARSER = 6         /* so often at most */
@@ -17,6 +18,11 @@ enum {
  * one that was closest to path in examples/light. */
 static const double cell_width = 0.75;
 
+/* A node so much narrower than that is where the void is narrow, as below a
+ * table; there cells are half as wide, and where it is half as narrow again, a
+ * quarter: light isn't even from there to what is beside it. */
+static const double narrow = 0.62;
+
 struct cutting {
     const struct voxels *voxels;
     const uint32_t *nearest;
@@ -24,18 +30,20 @@ struct cutting {
     const struct chambers *chambers;
     const struct pieces_kept *root; /* whose cells these are, or NULL */
     struct pieces *pieces;
-    uint32_t *cell;  /* of each voxel, its chamber; then its cell, counted over
-                      * all chambers, or root's piece */
-    uint32_t *up;    /* trees of voxels: up leads to an earlier one */
-    uint32_t *first; /* the first cell of each chamber */
+    double *width;    /* voxels: radius of the widest node of each chamber */
+    uint32_t regions; /* of all chambers */
+    uint32_t *cell;   /* of each voxel, its region; then its cell, counted over
+                       * all regions, or root's piece */
+    uint32_t *up;     /* trees of voxels: up leads to an earlier one */
+    uint32_t *first;  /* the first cell of each region */
 };
 
 static void cells_bound(struct cutting *cutting)
 {
-    const uint32_t *chamber = cutting->cell;
+    const uint32_t *region = cutting->cell;
     const int *size = cutting->voxels->size;
     size_t voxel = 0;
-    for (size_t i = 0; i < cutting->chambers->count; i++)
+    for (size_t i = 0; i < cutting->regions; i++)
         for (int axis = 0; axis < 3; axis++) {
             cutting->pieces->cells[i].low[axis] = size[axis];
             cutting->pieces->cells[i].high[axis] = 0;
@@ -43,11 +51,11 @@ static void cells_bound(struct cutting *cutting)
     for (int z = 0; z < size[2]; z++)
         for (int y = 0; y < size[1]; y++)
             for (int x = 0; x < size[0]; x++, voxel++) {
-                if (chamber[voxel] == PIECE_NONE)
+                if (region[voxel] == PIECE_NONE)
                     continue;
                 int at[3] = { x, y, z };
                 struct piece_cells *cells =
-                    &cutting->pieces->cells[chamber[voxel]];
+                    &cutting->pieces->cells[region[voxel]];
                 for (int axis = 0; axis < 3; axis++) {
                     if (at[axis] < cells->low[axis])
                         cells->low[axis] = at[axis];
@@ -81,7 +89,7 @@ static uint32_t cell_at(const struct piece_cells *cells, int x, int y, int z)
     return (uint32_t)((k * cells->count[1] + j) * cells->count[0] + i);
 }
 
-/* Turns the chamber of each voxel into its cell. */
+/* Turns the region of each voxel into its cell. */
 static void cutting_cells(struct cutting *cutting)
 {
     const int *size = cutting->voxels->size;
@@ -147,21 +155,21 @@ static double *chambers_width(const struct cutting *cutting)
     return width;
 }
 
-/* Cells of all chambers, so many of their radii wide. Where numbers of cells
+/* Cells of all regions, so many of their radii wide. Where numbers of cells
  * overflow neighbours still hardly ever agree. */
 static void cutting_plan(struct cutting *cutting, double radii)
 {
     const int *size = cutting->voxels->size;
-    double *width = chambers_width(cutting), longest = 0;
+    double longest = 0;
     uint32_t first = 0;
     for (int axis = 0; axis < 3; axis++)
         longest = fmax(longest, size[axis]);
-    for (size_t i = 0; i < cutting->chambers->count; i++) {
-        double wanted = fmax(longest / FINEST, width[i]) * radii;
+    for (uint32_t i = 0; i < cutting->regions; i++) {
+        double width = cutting->width[i / WIDTHS] / (1 << i % WIDTHS);
+        double wanted = fmax(longest / FINEST, width) * radii;
         cutting->first[i] = first;
         first += cells_count(&cutting->pieces->cells[i], wanted);
     }
-    memory_free(width);
 }
 
 /* Numbers the pieces by their first voxels. */
@@ -181,17 +189,25 @@ static void cutting_number(struct cutting *cutting)
     }
 }
 
-static uint32_t voxel_chamber(const struct cutting *cutting, size_t voxel)
+/* The chamber of its nearest node, and how narrow that is. */
+static uint32_t voxel_region(const struct cutting *cutting, size_t voxel)
 {
-    uint32_t node = cutting->nearest[voxel];
-    return node == GRAPH_NONE ? PIECE_NONE : cutting->chambers->of_node[node];
+    uint32_t node = cutting->nearest[voxel], region;
+    if (node == GRAPH_NONE)
+        return PIECE_NONE;
+    uint32_t chamber = cutting->chambers->of_node[node];
+    double radius = cutting->graph->nodes[node].radius / cutting->voxels->edge,
+           least = narrow * cutting->width[chamber];
+    for (region = 0; region < WIDTHS - 1 && radius < least; region++)
+        least /= 2;
+    return chamber * WIDTHS + region;
 }
 
 static void cutting_cut(struct cutting *cutting, double radii)
 {
     size_t count = voxels_count(cutting->voxels);
     for (size_t i = 0; i < count; i++)
-        cutting->cell[i] = voxel_chamber(cutting, i);
+        cutting->cell[i] = voxel_region(cutting, i);
     cells_bound(cutting);
     cutting_plan(cutting, radii);
     cutting_cells(cutting);
@@ -241,7 +257,7 @@ static void cutting_follow(struct cutting *cutting)
     const struct pieces *root = &cutting->root->pieces;
     size_t count = voxels_count(cutting->voxels);
     memcpy(cutting->pieces->cells, root->cells,
-           root->chambers * sizeof *root->cells);
+           root->regions * sizeof *root->cells);
     for (size_t i = 0; i < count; i++)
         cutting->cell[i] =
             cutting->nearest[i] == GRAPH_NONE ? PIECE_NONE : root->of_voxel[i];
@@ -258,24 +274,24 @@ static void cutting_own(struct cutting *cutting)
         cutting_cut(cutting, radii *= 1.5);
 }
 
-/* The root's chamber of a voxel; of what is in none of them the first will do.
+/* The root's region of a voxel; of what is in none of them the first will do.
  */
-static uint32_t root_chamber(const struct cutting *cutting, size_t voxel)
+static uint32_t root_region(const struct cutting *cutting, size_t voxel)
 {
     const struct pieces *root = &cutting->root->pieces;
     uint32_t piece = cutting->cell[voxel];
-    return piece < root->count ? root->chamber[piece] : 0;
+    return piece < root->count ? root->region[piece] : 0;
 }
 
-/* The chamber of each piece, which all of its voxels are in. */
+/* The region of each piece, which all of its voxels are in. */
 static void cutting_name(struct cutting *cutting)
 {
     struct pieces *pieces = cutting->pieces;
     size_t count = voxels_count(cutting->voxels);
     for (size_t i = 0; i < count; i++)
         if (pieces->of_voxel[i] != PIECE_NONE)
-            pieces->chamber[pieces->of_voxel[i]] =
-                (cutting->root ? root_chamber : voxel_chamber)(cutting, i);
+            pieces->region[pieces->of_voxel[i]] =
+                (cutting->root ? root_region : voxel_region)(cutting, i);
 }
 
 static bool voxels_alike(const struct voxels *a, const struct voxels *b)
@@ -301,16 +317,19 @@ struct pieces *pieces_new(struct arena *arena, const struct voxels *voxels,
         .chambers = chambers,
         .root = follows ? root : NULL,
         .pieces = pieces,
+        .regions = (uint32_t)chambers->count * WIDTHS,
         .cell = memory_new(count * sizeof *cutting.cell),
         .up = memory_new(count * sizeof *cutting.up),
-        .first = memory_new(chambers->count * sizeof *cutting.first),
+        .first = memory_new(chambers->count * WIDTHS * sizeof *cutting.first),
     };
-    pieces->chambers = follows ? root->pieces.chambers : chambers->count;
-    pieces->cells = ARENA_ARRAY(arena, struct piece_cells, pieces->chambers);
+    cutting.width = chambers_width(&cutting);
+    pieces->regions = follows ? root->pieces.regions : cutting.regions;
+    pieces->cells = ARENA_ARRAY(arena, struct piece_cells, pieces->regions);
     pieces->of_voxel = ARENA_ARRAY(arena, uint32_t, count);
     (follows ? cutting_follow : cutting_own)(&cutting);
-    pieces->chamber = ARENA_ARRAY(arena, uint32_t, pieces->count);
+    pieces->region = ARENA_ARRAY(arena, uint32_t, pieces->count);
     cutting_name(&cutting);
+    memory_free(cutting.width);
     memory_free(cutting.cell);
     memory_free(cutting.up);
     memory_free(cutting.first);
@@ -328,17 +347,17 @@ static void *block_copy(char **at, const void *from, size_t size)
 struct pieces_kept *pieces_keep(const struct pieces *pieces,
                                 const struct voxels *voxels)
 {
-    size_t cells = pieces->chambers * sizeof *pieces->cells;
+    size_t cells = pieces->regions * sizeof *pieces->cells;
     size_t of_voxel = voxels_count(voxels) * sizeof *pieces->of_voxel;
-    size_t chamber = pieces->count * sizeof *pieces->chamber;
+    size_t region = pieces->count * sizeof *pieces->region;
     struct pieces_kept *kept =
-        memory_new(sizeof *kept + cells + of_voxel + chamber);
+        memory_new(sizeof *kept + cells + of_voxel + region);
     char *at = (char *)(kept + 1);
     kept->grid = *voxels;
     kept->grid.empty = NULL;
     kept->pieces = *pieces;
     kept->pieces.cells = block_copy(&at, pieces->cells, cells);
     kept->pieces.of_voxel = block_copy(&at, pieces->of_voxel, of_voxel);
-    kept->pieces.chamber = block_copy(&at, pieces->chamber, chamber);
+    kept->pieces.region = block_copy(&at, pieces->region, region);
     return kept;
 }

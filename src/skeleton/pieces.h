@@ -1,6 +1,7 @@
-/* The void cut into pieces within which light is taken to be even: each chamber
- * of the skeleton into cells about as wide as its widest ball of void, each
- * connected part of a cell a piece. */
+/* The void cut into pieces within which light is taken to be even. Each chamber
+ * of the skeleton is parted into regions, by how narrow the void is there; and
+ * each region into cells, about as wide as its widest ball of void: each
+ * connected part of a cell is a piece. */
 #ifndef SKELETON_PIECES_H
 #define SKELETON_PIECES_H
 
@@ -8,7 +9,7 @@
 
 #define PIECE_NONE UINT32_MAX
 
-/* How the box around a chamber is cut. */
+/* How the box around a region is cut. */
 struct piece_cells {
     int low[3], high[3]; /* its first voxel, and the one after its last */
     int count[3];        /* cells along each axis */
@@ -16,10 +17,10 @@ struct piece_cells {
 };
 
 struct pieces {
-    size_t count, chambers;
+    size_t count, regions;
     uint32_t *of_voxel;        /* PIECE_NONE: matter, or no node gets there */
-    uint32_t *chamber;         /* of each piece */
-    struct piece_cells *cells; /* of each chamber */
+    uint32_t *region;          /* of each piece */
+    struct piece_cells *cells; /* of each region */
 };
 
 /* How a void was cut, for the other pictures of its animation. */

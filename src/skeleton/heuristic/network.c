@@ -184,7 +184,7 @@ static rgb network_beside(const struct skeleton *skeleton, uint32_t own,
 {
     const struct network *network = skeleton->state;
     const struct pieces *pieces = network->pieces;
-    const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
+    const struct piece_cells *cells = &pieces->cells[pieces->region[own]];
     double total = 0;
     rgb sum = rgb_grey(0);
     for (int side = 0; side < SIDES; side++) {
@@ -215,7 +215,7 @@ static bool network_corners(const struct skeleton *skeleton,
     uint32_t own = piece_seen(pieces, v, from, by);
     if (own == PIECE_NONE)
         return false;
-    const struct piece_cells *cells = &pieces->cells[pieces->chamber[own]];
+    const struct piece_cells *cells = &pieces->cells[pieces->region[own]];
     for (int axis = 0; axis < 3; axis++) {
         double size = cells->size[axis];
         double at = (from[axis] - cells->low[axis]) / size;
