@@ -322,6 +322,38 @@ static void light_stays_on_its_side(void **state)
     scene_world_free(all);
 }
 
+/* A table under a lamp that lights its top alone. */
+static const char table[] =
+    "box { <-3,0,-4>, <3,2.7,1.4> inverse pigment { rgb 0.6 } }\n"
+    "box { <-1.4,0.7,-0.3>, <1.4,0.75,0.9> pigment { rgb 0.6 } }\n"
+    "#default { finish { ambient 0 diffuse 0.75 } }\n"
+    "light_source { <-0.7,1.45,0.3>, 12 spotlight point_at <-0.4,0.75,0.2>\n"
+    "  radius 35 falloff 50 fade_distance 0.8 fade_power 2 }\n"
+    "camera { location <0,1,-3.5> look_at <0,0.7,0.4> }\n";
+
+/* The room is one chamber, and the floor below the table is darker than that
+ * before it: paths say by how much. */
+static void below_a_table_it_is_dim(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(table);
+    struct void_space *space =
+        void_new(all->scene, all->world, (struct grid_wish){ .resolution = 48 },
+                 2, NULL, &all->diag);
+    struct skeleton_options options = { .threads = 2 };
+    assert_non_null(space);
+    struct skeleton *skeleton =
+        skeleton_new(all->world, all->scene, &space->voxels, &options);
+    struct worker worker = { 0 };
+    const vec3 below = { 0, 0, 0.3 }, before = { 0, 0, -1.5 };
+    double dim = rgb_peak(skeleton_indirect(skeleton, &worker, below, up)),
+           lit = rgb_peak(skeleton_indirect(skeleton, &worker, before, up));
+    assert_near(dim / lit, 0.47, 0.2);
+    skeleton_free(skeleton);
+    void_free(space);
+    scene_world_free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -334,6 +366,7 @@ int main(void)
         cmocka_unit_test(far_away_is_dark),
         cmocka_unit_test(the_sky_is_outside),
         cmocka_unit_test(light_stays_on_its_side),
+        cmocka_unit_test(below_a_table_it_is_dim),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
