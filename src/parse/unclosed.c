@@ -36,21 +36,28 @@ static bool unclosed_by_indent(struct span open, struct span at)
            at.offset - line_start(at) <= line_first(open) - line_start(open);
 }
 
-/* The word before the '{'. */
-static bool opens_covering(struct span open)
+/* Whether that is the word before the '{'. */
+static bool opens_as(struct span open, const char *name)
+{
+    const char *text = open.source->text;
+    size_t end = open.offset, length = strlen(name);
+    while (end > 0 && strchr(" \t\r\n", text[end - 1]))
+        end--;
+    return end >= length && memcmp(text + end - length, name, length) == 0;
+}
+
+/* Whether the '{' is that of a covering beside which this one stands. Textures
+ * hold those that they are made of. */
+static bool opens_beside(struct span open, enum keyword covering)
 {
     static const char *const names[] = { "pigment", "normal", "finish",
                                          "interior" };
-    const char *text = open.source->text;
-    size_t end = open.offset;
-    while (end > 0 && strchr(" \t\r\n", text[end - 1]))
-        end--;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        size_t length = strlen(names[i]);
-        if (end >= length && memcmp(text + end - length, names[i], length) == 0)
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (opens_as(open, names[i]))
             return true;
-    }
-    return false;
+    return (covering == KEYWORD_TEXTURE || covering == KEYWORD_INTERIOR ||
+            covering == KEYWORD_MATERIAL) &&
+           opens_as(open, "texture");
 }
 
 const char *unclosed_hint(struct parser *p)
@@ -59,7 +66,7 @@ const char *unclosed_hint(struct parser *p)
     if (p->block_count == 0)
         return NULL;
     struct span at = p->token_span, open = p->blocks[p->block_count - 1];
-    bool beside = keyword_is_covering(keyword) && opens_covering(open);
+    bool beside = keyword_is_covering(keyword) && opens_beside(open, keyword);
     bool below = at.source == open.source && at.offset > open.offset;
     return beside && below ? "}" : NULL;
 }
