@@ -25,6 +25,7 @@ struct codec_target {
     bool has_alpha, linear;
     bool multiplied; /* the colours, which are as in the file, are by alpha */
     double gamma;
+    bool srgb;
     bool plain;
     bool numbers; /* wanted: a palette's numbers, not its colours */
     bool indexed; /* and these are such */

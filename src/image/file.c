@@ -222,6 +222,7 @@ static void file_describe(struct image *image,
     image->multiplied = target->multiplied;
     image->linear = target->linear;
     image->gamma = target->gamma;
+    image->srgb = target->srgb;
     image->plain = target->plain;
     image->indexed = target->indexed;
     image->palette = target->palette;

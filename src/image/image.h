@@ -17,7 +17,8 @@ struct image {
     bool multiplied; /* read: colours were premultiplied in the file */
     bool linear;     /* read: the file's numbers are linear light (EXR, HDR) */
     double gamma;    /* read: they are light to the power 1/gamma, says the
-                      * file (PNG); 0: it says nothing */
+                      * file (PNG); 0: it says nothing, */
+    bool srgb;       /* or that they are those of sRGB */
     int channels;    /* read: 1 grey, 2 with alpha, 3 colour, 4 with alpha */
     int bits;        /* read: of a channel, 8 or more */
     bool indexed;    /* read as numbers: pixels are a palette's

@@ -237,10 +237,10 @@ static bool png_begin(png_structp png, png_infop info, struct png_reader *r)
     r->target->bits = r->depth;
     r->target->has_alpha = r->channels % 2 == 0;
     r->target->linear = r->target->plain = false;
-    if (png_get_sRGB(png, info, &intent) || !png_get_gAMA(png, info, &gamma) ||
-        !(gamma > 0))
-        r->target->gamma = 0;
-    else /* Files say 0.45455 and mean 2.2. */
+    r->target->srgb = png_get_sRGB(png, info, &intent) != 0;
+    r->target->gamma = 0;
+    if (!r->target->srgb && png_get_gAMA(png, info, &gamma) && gamma > 0)
+        /* Files say 0.45455 and mean 2.2. */
         r->target->gamma = round(100 / gamma) / 100;
     r->pixels = r->target->allocate(r->target->context, r->width, r->height,
                                     r->trouble.error, r->trouble.size);

@@ -9,7 +9,7 @@ static bool finish_gives_light(const struct finish *finish,
 {
     rgb usual = finish_default().ambient;
     rgb ambient = rgb_mul(finish->ambient, settings->ambient_light);
-    return rgb_peak(finish->emission) > 0 ||
+    return rgb_peak(finish->emission) > 0 || rgb_peak(finish->glow) > 0 ||
            rgb_peak(ambient) > rgb_peak(usual);
 }
 

@@ -168,6 +168,20 @@ void point_mesh_each(const struct point_mesh *mesh, mesh_visit *visit,
     }
 }
 
+int point_mesh_worth(double weight)
+{
+    int levels = 0;
+    for (double fine = worth_fine;
+         weight < fine && levels < POINT_MESH_WORTHS - 1; fine /= worth_step)
+        levels++;
+    return levels;
+}
+
+double point_mesh_typical_worth(int levels)
+{
+    return levels == 0 ? 1 : 0.5 * worth_fine / pow(worth_step, levels - 1);
+}
+
 size_t point_mesh_refined(const struct point_mesh *mesh,
                           const struct lattice_view *view)
 {

@@ -8,7 +8,7 @@
 #include "lightmesh/seek_sight.h"
 #include "lightmesh/tuning.h"
 
-/* What panes let pass of the light of points behind them. */
+/* What panes let pass of the light of points. */
 struct passed {
     rgb sum; /* by their weights, */
     double weights;
@@ -23,6 +23,8 @@ struct seeker {
     double least;          /* share of a point that isn't asked, */
     double most;           /* and of one that is known not to see the place */
     struct passed *passed; /* by panes, which hide nothing; NULL: they do */
+    struct passed *panes;  /* by those before points that are asked all the
+                            * same; NULL: there are none */
     struct mesh_blend *blend;
 };
 
@@ -43,6 +45,7 @@ struct candidates {
         struct lattice_point point;
         vec3 place;
         double weight;
+        bool seen; /* the place sees it */
     } at[INTERPOLATION_POINTS];
 };
 
@@ -81,6 +84,7 @@ static void seek_candidates(const struct seeker *seeker,
         }
         candidates->at[candidates->count].point = point;
         candidates->at[candidates->count].place = from;
+        candidates->at[candidates->count].seen = false;
         candidates->at[candidates->count++].weight = weight;
     }
 }
@@ -129,20 +133,60 @@ static bool seek_finds(struct seeker *seeker,
     return true;
 }
 
-static void seek_seen(struct seeker *seeker,
-                      const struct candidates *candidates)
+static void seek_take(struct seeker *seeker, const struct lattice_point *point,
+                      double weight)
 {
-    const struct point_mesh *mesh = seeker->mesh;
     struct mesh_blend *blend = seeker->blend;
+    blend->at[blend->count].payload =
+        point_mesh_payload(seeker->mesh, seeker->worker, point);
+    blend->at[blend->count++].weight = weight;
+}
+
+static void seek_seen(struct seeker *seeker, struct candidates *candidates)
+{
     for (int i = 0; i < candidates->count; i++) {
         if (!seek_finds(seeker, candidates, i))
             continue;
-        blend->at[blend->count].payload =
-            point_mesh_payload(mesh, seeker->worker, &candidates->at[i].point);
-        blend->at[blend->count++].weight = candidates->at[i].weight;
-        if (mesh->interpolation->single)
+        candidates->at[i].seen = true;
+        seek_take(seeker, &candidates->at[i].point, candidates->at[i].weight);
+        if (seeker->mesh->interpolation->single)
             break;
     }
+}
+
+/* In a gap behind a pane, as below the clouds of a planet, the few points that
+ * chance to be in it would each have a place of its own, with an edge around
+ * it. So the fewer there are the more those before the pane count, too. Returns
+ * the weight of all. */
+static double seek_panes(struct seeker *seeker,
+                         const struct candidates *candidates, double seen,
+                         double all)
+{
+    const double few = fade_out(seen / all, seek_few);
+    struct passed passed = { rgb_grey(seen), seen };
+    if (!seeker->panes || !(seen > 0))
+        return seen;
+    for (int i = 0; i < candidates->count && few > 0; i++) {
+        const double weight = few * candidates->at[i].weight;
+        rgb through;
+        if (candidates->at[i].seen ||
+            !seek_looks_through(seeker->mesh, seeker->worker, seeker->receiver,
+                                candidates->at[i].place, &through))
+            continue;
+        seek_take(seeker, &candidates->at[i].point, weight);
+        passed.sum = rgb_add_scaled(passed.sum, through, weight);
+        passed.weights += weight;
+    }
+    seeker->panes->sum =
+        rgb_add_scaled(seeker->panes->sum, passed.sum, 1 / passed.weights);
+    seeker->panes->weights++;
+    return passed.weights;
+}
+
+static rgb passed_mean(const struct passed *passed)
+{
+    return passed->weights > 0 ? rgb_scale(passed->sum, 1 / passed->weights)
+                               : rgb_grey(1);
 }
 
 /* Adds the points of one level, whose weights sum to 1. Returns the share of
@@ -161,8 +205,9 @@ static double seek_points(struct seeker *seeker)
         all += candidates.at[i].weight;
     for (int i = first; i < blend->count; i++)
         sum += blend->at[i].weight;
+    const double taken = seek_panes(seeker, &candidates, sum, all);
     for (int i = first; i < blend->count; i++)
-        blend->at[i].weight /= sum;
+        blend->at[i].weight /= taken;
     return all > 0 ? 1 - sum / all : 0;
 }
 
@@ -248,20 +293,6 @@ static void seek_here(struct seeker *seeker)
     seeker->blend->at[0].weight = 1;
 }
 
-int point_mesh_worth(double weight)
-{
-    int levels = 0;
-    for (double fine = worth_fine;
-         weight < fine && levels < POINT_MESH_WORTHS - 1; fine /= worth_step)
-        levels++;
-    return levels;
-}
-
-double point_mesh_typical_worth(int levels)
-{
-    return levels == 0 ? 1 : 0.5 * worth_fine / pow(worth_step, levels - 1);
-}
-
 /* The seeker at its level; *finest is what its view asks for, *coarse the share
  * of the next. */
 static struct seeker seeker_new(const struct point_mesh *mesh,
@@ -312,11 +343,11 @@ static void seek_behind(struct seeker seeker, int finest, double coarse)
 {
     struct passed passed = { rgb_grey(0), 0 };
     seeker.passed = &passed;
+    seeker.panes = NULL;
     seeker.least = seek_behind_least;
     seeker.most = 1;
     seek_levels(seeker, finest, coarse);
-    if (passed.weights > 0)
-        seeker.blend->through = rgb_scale(passed.sum, 1 / passed.weights);
+    seeker.blend->through = passed_mean(&passed);
 }
 
 void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
@@ -324,13 +355,16 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
 {
     double coarse;
     int finest;
+    struct passed panes = { rgb_grey(0), 0 };
+    const bool clear = mesh->least > 0 && !world_is_opaque(mesh->world);
     struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
     seeker.blend = blend;
+    seeker.panes = clear ? &panes : NULL;
     blend->count = 0;
     blend->here = false;
-    blend->through = rgb_grey(1);
     seek_levels(seeker, finest, coarse);
-    if (blend->count == 0 && mesh->least > 0 && !world_is_opaque(mesh->world))
+    blend->through = passed_mean(&panes);
+    if (blend->count == 0 && clear)
         seek_behind(seeker, finest, coarse);
     if (blend->count == 0 && mesh->least > 0) {
         seeker.most = seeker.least;

@@ -96,11 +96,11 @@ static const double seek_lift = 0.3;   /* above the surface, spacings */
 static const double seek_rise = 0.2;   /* points lower than that count less,
                                         * spacings */
 static const double seek_clear = 0.1;  /* of light: panes that let it pass */
+static const double seek_few = 0.5;    /* points of all, behind a pane */
 static const double seek_least = 0.03; /* of a place's points that gather: what
                                         * counts less isn't asked [pillars] */
-static const double seek_worth = 0.17; /* and the more of them the less the
-                                        * place is worth, down to that [price]
-                                        */
+static const double seek_worth = 0.17; /* and the more of them the less it is
+                                        * worth, down to that [price] */
 static const double seek_behind_least = 0.06; /* likewise, behind panes */
 static const double nearest_rise = 0.1;       /* likewise, of the nearest */
 static const double worth_fine = 0.15;        /* what is worth less is a level

@@ -70,7 +70,7 @@ struct image_decoding {
 static bool image_is_plain(const struct parser *p, const struct image *image)
 {
     bool old = !p->version_said || p->version < 3.7;
-    bool untold = !image->linear && !(image->gamma > 0);
+    bool untold = !image->linear && !(image->gamma > 0) && !image->srgb;
     return settings_gamma(p) == GAMMA_NONE || image->plain || (old && untold);
 }
 
