@@ -170,8 +170,8 @@ static double seek_panes(struct seeker *seeker,
         const double weight = few * candidates->at[i].weight;
         rgb through;
         if (candidates->at[i].seen ||
-            !seek_looks_through(seeker->mesh, seeker->worker, seeker->receiver,
-                                candidates->at[i].place, &through))
+            !seek_looks_straight(seeker->mesh, seeker->worker, seeker->receiver,
+                                 candidates->at[i].place, &through))
             continue;
         seek_take(seeker, &candidates->at[i].point, weight);
         passed.sum = rgb_add_scaled(passed.sum, through, weight);
@@ -359,7 +359,7 @@ void point_mesh_blend(const struct point_mesh *mesh, struct worker *worker,
     const bool clear = mesh->least > 0 && !world_is_opaque(mesh->world);
     struct seeker seeker = seeker_new(mesh, worker, receiver, &finest, &coarse);
     seeker.blend = blend;
-    seeker.panes = clear ? &panes : NULL;
+    seeker.panes = clear && !mesh->interpolation->single ? &panes : NULL;
     blend->count = 0;
     blend->here = false;
     seek_levels(seeker, finest, coarse);

@@ -53,12 +53,28 @@ static bool pane_hides(void *context, const struct ray *ray,
     return rgb_peak(*through) < seek_clear;
 }
 
+/* Or bends light. */
+static bool glass_hides(void *context, const struct ray *ray,
+                        const struct world_hit *hit)
+{
+    const struct interior *interior = hit->leaf->look->interior;
+    return (interior && interior->ior != 1) || pane_hides(context, ray, hit);
+}
+
 bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
                         const struct receiver *receiver, vec3 from,
                         rgb *through)
 {
     *through = rgb_grey(1);
     return seek_ray(mesh, worker, receiver, from, pane_hides, through);
+}
+
+bool seek_looks_straight(const struct point_mesh *mesh, struct worker *worker,
+                         const struct receiver *receiver, vec3 from,
+                         rgb *through)
+{
+    *through = rgb_grey(1);
+    return seek_ray(mesh, worker, receiver, from, glass_hides, through);
 }
 
 bool seek_sees(const struct point_mesh *mesh, struct worker *worker,

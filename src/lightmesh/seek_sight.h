@@ -25,4 +25,9 @@ bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
                         const struct receiver *receiver, vec3 from,
                         rgb *through);
 
+/* The same, but that those do stop it which bend light: glass. */
+bool seek_looks_straight(const struct point_mesh *mesh, struct worker *worker,
+                         const struct receiver *receiver, vec3 from,
+                         rgb *through);
+
 #endif

@@ -154,7 +154,7 @@ static void pieces_fill_the_void(void **state)
         assert_int_equal(p->of_voxel[i] == PIECE_NONE, !v->empty[i]);
         if (!v->empty[i])
             continue;
-        const struct piece_cells *c = &p->cells[p->chamber[p->of_voxel[i]]];
+        const struct piece_cells *c = &p->cells[p->region[p->of_voxel[i]]];
         for (int axis = 0; axis < 3; axis++)
             assert_true(c->low[axis] <= at[axis] && at[axis] < c->high[axis]);
         least = p->of_voxel[i] < least ? p->of_voxel[i] : least;
@@ -182,7 +182,7 @@ static void assert_parts(const struct voxels *v, const struct pieces *parts,
         if (of[part] == PIECE_NONE)
             of[part] = own;
         assert_int_equal(of[part], own);
-        assert_int_equal(parts->chamber[part], whole->chamber[own]);
+        assert_int_equal(parts->region[part], whole->region[own]);
     }
     memory_free(of);
 }
