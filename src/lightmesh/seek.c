@@ -154,10 +154,10 @@ static void seek_seen(struct seeker *seeker, struct candidates *candidates)
     }
 }
 
-/* In a gap behind a pane, as below the clouds of a planet, the few points that
- * chance to be in it would each have a place of its own, with an edge around
- * it. So the fewer there are the more those before the pane count, too. Returns
- * the weight of all. */
+/* In a gap within a clear body, as below the clouds of a planet, the few points
+ * that chance to be in it would each have a place of its own, with an edge
+ * around it. So the fewer there are the more those before the body count, too.
+ * Returns the weight of all. */
 static double seek_panes(struct seeker *seeker,
                          const struct candidates *candidates, double seen,
                          double all)
@@ -170,8 +170,8 @@ static double seek_panes(struct seeker *seeker,
         const double weight = few * candidates->at[i].weight;
         rgb through;
         if (candidates->at[i].seen ||
-            !seek_looks_straight(seeker->mesh, seeker->worker, seeker->receiver,
-                                 candidates->at[i].place, &through))
+            !seek_looks_out(seeker->mesh, seeker->worker, seeker->receiver,
+                            candidates->at[i].place, &through))
             continue;
         seek_take(seeker, &candidates->at[i].point, weight);
         passed.sum = rgb_add_scaled(passed.sum, through, weight);

@@ -2,6 +2,7 @@
 #include "lightmesh/seek_sight.h"
 
 #include "lightmesh/tuning.h"
+#include "scene/primitive.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
@@ -41,24 +42,35 @@ bool seek_looks(const struct point_mesh *mesh, struct worker *worker,
     return seek_ray(mesh, worker, receiver, from, NULL, NULL);
 }
 
-/* Whether a surface on the way lets too little pass: then the light behind it
- * is another. */
-static bool pane_hides(void *context, const struct ray *ray,
-                       const struct world_hit *hit)
+/* Whether a surface lets too little pass: then the light behind it is another.
+ */
+static bool pane_is_dim(const struct intersection *at, rgb *through)
 {
-    rgb *through = context;
-    struct intersection at;
-    world_describe(ray, hit, &at);
-    *through = rgb_mul(*through, surface_transmittance(&at));
+    *through = rgb_mul(*through, surface_transmittance(at));
     return rgb_peak(*through) < seek_clear;
 }
 
-/* Or bends light. */
-static bool glass_hides(void *context, const struct ray *ray,
+static bool pane_hides(void *context, const struct ray *ray,
+                       const struct world_hit *hit)
+{
+    struct intersection at;
+    world_describe(ray, hit, &at);
+    return pane_is_dim(&at, context);
+}
+
+/* Or isn't that of a body which the ray leaves as it is. */
+static bool shell_hides(void *context, const struct ray *ray,
                         const struct world_hit *hit)
 {
-    const struct interior *interior = hit->leaf->look->interior;
-    return (interior && interior->ior != 1) || pane_hides(context, ray, hit);
+    const struct leaf *leaf = hit->leaf;
+    const struct interior *interior = leaf->look->interior;
+    struct intersection at;
+    if ((interior && interior->ior != 1) ||
+        leaf->object->kind != OBJECT_SHAPE || !leaf->object->primitive->solid ||
+        leaf->object->primitive->beyond)
+        return true;
+    world_describe(ray, hit, &at);
+    return vec3_dot(at.face, ray->direction) < 0 || pane_is_dim(&at, context);
 }
 
 bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
@@ -69,12 +81,11 @@ bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
     return seek_ray(mesh, worker, receiver, from, pane_hides, through);
 }
 
-bool seek_looks_straight(const struct point_mesh *mesh, struct worker *worker,
-                         const struct receiver *receiver, vec3 from,
-                         rgb *through)
+bool seek_looks_out(const struct point_mesh *mesh, struct worker *worker,
+                    const struct receiver *receiver, vec3 from, rgb *through)
 {
     *through = rgb_grey(1);
-    return seek_ray(mesh, worker, receiver, from, glass_hides, through);
+    return seek_ray(mesh, worker, receiver, from, shell_hides, through);
 }
 
 bool seek_sees(const struct point_mesh *mesh, struct worker *worker,

@@ -25,9 +25,9 @@ bool seek_looks_through(const struct point_mesh *mesh, struct worker *worker,
                         const struct receiver *receiver, vec3 from,
                         rgb *through);
 
-/* The same, but that those do stop it which bend light: glass. */
-bool seek_looks_straight(const struct point_mesh *mesh, struct worker *worker,
-                         const struct receiver *receiver, vec3 from,
-                         rgb *through);
+/* The same, but that only those don't stop it out of which it comes as it was:
+ * of a body that the place is in, and that doesn't bend light. */
+bool seek_looks_out(const struct point_mesh *mesh, struct worker *worker,
+                    const struct receiver *receiver, vec3 from, rgb *through);
 
 #endif
