@@ -23,8 +23,8 @@ struct seeker {
     double least;          /* share of a point that isn't asked, */
     double most;           /* and of one that is known not to see the place */
     struct passed *passed; /* by panes, which hide nothing; NULL: they do */
-    struct passed *panes;  /* by those before points that are asked all the
-                            * same; NULL: there are none */
+    struct passed *panes;  /* by those around a gap (seek_panes); NULL: there
+                            * is none */
     struct mesh_blend *blend;
 };
 
@@ -162,10 +162,10 @@ static double seek_panes(struct seeker *seeker,
                          const struct candidates *candidates, double seen,
                          double all)
 {
-    const double few = fade_out(seen / all, seek_few);
     struct passed passed = { rgb_grey(seen), seen };
     if (!seeker->panes || !(seen > 0))
         return seen;
+    const double few = fade_out(seen / all, seek_few);
     for (int i = 0; i < candidates->count && few > 0; i++) {
         const double weight = few * candidates->at[i].weight;
         rgb through;

@@ -96,7 +96,7 @@ static const double seek_lift = 0.3;   /* above the surface, spacings */
 static const double seek_rise = 0.2;   /* points lower than that count less,
                                         * spacings */
 static const double seek_clear = 0.1;  /* of light: panes that let it pass */
-static const double seek_few = 0.5;    /* points of all, behind a pane */
+static const double seek_few = 0.5;    /* of its points see a place in a gap */
 static const double seek_least = 0.03; /* of a place's points that gather: what
                                         * counts less isn't asked [pillars] */
 static const double seek_worth = 0.17; /* and the more of them the less it is

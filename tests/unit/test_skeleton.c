@@ -276,6 +276,33 @@ static void the_sky_is_outside(void **state)
     fixture_free(f);
 }
 
+/* A scene that is told as text, and the skeleton of its void. */
+struct told {
+    struct scene_world *all;
+    struct void_space *space;
+    struct skeleton *skeleton;
+};
+
+static struct told told_new(const char *text, int resolution)
+{
+    struct told told = { .all = scene_world_new(text) };
+    const struct grid_wish wish = { .resolution = resolution };
+    const struct skeleton_options options = { .threads = 2 };
+    told.space = void_new(told.all->scene, told.all->world, wish, 2, NULL,
+                          &told.all->diag);
+    assert_non_null(told.space);
+    told.skeleton = skeleton_new(told.all->world, told.all->scene,
+                                 &told.space->voxels, &options);
+    return told;
+}
+
+static void told_free(struct told *told)
+{
+    skeleton_free(told->skeleton);
+    void_free(told->space);
+    scene_world_free(told->all);
+}
+
 /* A room with a lamp, and one without that the camera is in. A voxel is 0.28,
  * the wall between them 0.1: thinner than one, and anywhere in it. */
 static const char two_rooms[] =
@@ -292,14 +319,8 @@ static const char two_rooms[] =
 static void light_stays_on_its_side(void **state)
 {
     (void)state;
-    struct scene_world *all = scene_world_new(two_rooms);
-    struct void_space *space =
-        void_new(all->scene, all->world, (struct grid_wish){ .resolution = 32 },
-                 2, NULL, &all->diag);
-    struct skeleton_options options = { .threads = 2 };
-    assert_non_null(space);
-    struct skeleton *skeleton =
-        skeleton_new(all->world, all->scene, &space->voxels, &options);
+    struct told rooms = told_new(two_rooms, 32);
+    struct skeleton *skeleton = rooms.skeleton;
     struct worker worker = { 0 };
     const vec3 dark = { 2, 0, 0 }, bright = { -2, 0, 0 };
     for (int i = 0; i < 40; i++) {
@@ -317,16 +338,14 @@ static void light_stays_on_its_side(void **state)
             skeleton_close(skeleton, &worker, here, up, bright, &close));
         assert_near(rgb_peak(close), whole, 0.25);
     }
-    skeleton_free(skeleton);
-    void_free(space);
-    scene_world_free(all);
+    told_free(&rooms);
 }
 
-/* A table under a lamp that lights its top alone. */
+/* A lamp above a table lights its top, and the floor before it. */
 static const char table[] =
+    "#default { finish { ambient 0 diffuse 0.75 } }\n"
     "box { <-3,0,-4>, <3,2.7,1.4> inverse pigment { rgb 0.6 } }\n"
     "box { <-1.4,0.7,-0.3>, <1.4,0.75,0.9> pigment { rgb 0.6 } }\n"
-    "#default { finish { ambient 0 diffuse 0.75 } }\n"
     "light_source { <-0.7,1.45,0.3>, 12 spotlight point_at <-0.4,0.75,0.2>\n"
     "  radius 35 falloff 50 fade_distance 0.8 fade_power 2 }\n"
     "camera { location <0,1,-3.5> look_at <0,0.7,0.4> }\n";
@@ -336,22 +355,14 @@ static const char table[] =
 static void below_a_table_it_is_dim(void **state)
 {
     (void)state;
-    struct scene_world *all = scene_world_new(table);
-    struct void_space *space =
-        void_new(all->scene, all->world, (struct grid_wish){ .resolution = 48 },
-                 2, NULL, &all->diag);
-    struct skeleton_options options = { .threads = 2 };
-    assert_non_null(space);
-    struct skeleton *skeleton =
-        skeleton_new(all->world, all->scene, &space->voxels, &options);
+    struct told room = told_new(table, 48);
+    struct skeleton *skeleton = room.skeleton;
     struct worker worker = { 0 };
     const vec3 below = { 0, 0, 0.3 }, before = { 0, 0, -1.5 };
     double dim = rgb_peak(skeleton_indirect(skeleton, &worker, below, up)),
            lit = rgb_peak(skeleton_indirect(skeleton, &worker, before, up));
     assert_near(dim / lit, 0.47, 0.2);
-    skeleton_free(skeleton);
-    void_free(space);
-    scene_world_free(all);
+    told_free(&room);
 }
 
 int main(void)
