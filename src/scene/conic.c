@@ -362,13 +362,24 @@ static double conic_radius(const struct conic *conic, double s)
     return conic->base_radius + conic->slope * s;
 }
 
+/* The unit vector away from the axis at c, so far along it; none where that is
+ * lost in rounding, as what is left there needn't be across the axis. */
+static vec3 conic_outward(const struct conic *conic, vec3 c, double along)
+{
+    const double lost = 1e-9;
+    vec3 q = reject(c, conic->axis, along);
+    double distance = vec3_length(q);
+    return distance > lost * fabs(along) ? vec3_scale(q, 1 / distance)
+                                         : vec3_make(0, 0, 0);
+}
+
 /* The distance from the axis less the radius there, a convex function, is
- * nowhere below its tangent. */
+ * nowhere below its tangent, nor the distance below 0. */
 static double conic_least(const struct conic *conic, const struct cell *cell,
                           double along, struct range s)
 {
     vec3 c = vec3_sub(cell->centre, conic->base);
-    vec3 outward = vec3_normalise(reject(c, conic->axis, along));
+    vec3 outward = conic_outward(conic, c, along);
     vec3 slope = vec3_along(outward, conic->axis, -conic->slope);
     double tangent = vec3_dot(slope, c) - conic->base_radius;
     double most = fmax(conic_radius(conic, s.low), conic_radius(conic, s.high));

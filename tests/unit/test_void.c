@@ -72,6 +72,14 @@ static const char *const surfaces[] = {
     " triangle { <1,-1,-1>, <0,-1,1>, <0,1,0> }"
     " triangle { <-1,-1,-1>, <1,-1,-1>, <0,-1,1> } inside_vector y }"
     " sphere { y, 0.7 } }",
+    /* Cells have their middle on the axes of these, which are of a length to
+     * which a unit vector is only nearly one. */
+    "difference { cylinder { -1.9*z, 1.93*z, 0.6 }"
+    " cylinder { -2*z, 1.8*z, 0.5 } }",
+    "cylinder { -1.8*x, 1.9*x, 0.3 }",
+    "cone { -1.9*y, 0.9, 1.93*y, 0.3 }",
+    "torus { 1.3, 0.2 }",
+    "quadric { <1,0,1>, 0, 0, -0.5 clipped_by { box { -1.9, 1.8 } } }",
 };
 
 enum { SURFACES = sizeof surfaces / sizeof *surfaces };
