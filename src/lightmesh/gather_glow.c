@@ -34,21 +34,13 @@ rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
     return surface_glow(&surface);
 }
 
-bool gather_pick_is_met(const struct emitter_pick *pick,
-                        const struct intersection *at)
-{
-    return at->leaf == pick->leaf &&
-           (isinf(pick->distance) ||
-            fabs(at->t - pick->distance) <= 1e-5 * (1 + at->t));
-}
-
-/* The same, and glows there. */
+/* Whether it is met, and glows there. */
 static bool pick_glows(const struct gather *gather, const struct ray *ray,
                        const struct emitter_pick *pick,
                        const struct intersection *at,
                        struct gathered_glow *found)
 {
-    if (!gather_pick_is_met(pick, at))
+    if (!emitter_is_met(pick, at))
         return false;
     *found = (struct gathered_glow){ pick->direction,
                                      gather_glow_at(gather, ray, at),

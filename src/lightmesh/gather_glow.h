@@ -17,10 +17,6 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
 rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
                    const struct intersection *at);
 
-/* Whether what a ray there met is what was picked. */
-bool gather_pick_is_met(const struct emitter_pick *pick,
-                        const struct intersection *at);
-
 /* A place that glows. */
 struct gathered_glow {
     vec3 direction;

@@ -253,7 +253,7 @@ static void asking_look_there(struct asking *asking, int first, int count)
     gather_rays_meet(asking->gather, asking->worker, asking->reach, &sent);
     for (unsigned i = 0; i < sent.count; i++) {
         const struct ray ray = rays_at(&sent.rays, (int)i);
-        if (gather_pick_is_met(&picks[i], &sent.found[i].at))
+        if (emitter_is_met(&picks[i], &sent.found[i].at))
             asking_add(asking, &ray, &sent.found[i].at);
     }
 }

@@ -264,6 +264,14 @@ bool emitters_any(const struct emitters *emitters)
     return emitters->parts.count > 0;
 }
 
+bool emitter_is_met(const struct emitter_pick *pick,
+                    const struct intersection *at)
+{
+    return at->leaf == pick->leaf &&
+           (isinf(pick->distance) ||
+            fabs(at->t - pick->distance) <= 1e-5 * (1 + at->t));
+}
+
 size_t emitters_shares(const struct emitters *emitters,
                        const struct emitter_share **shares)
 {

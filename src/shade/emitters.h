@@ -30,6 +30,10 @@ struct emitter_pick {
 bool emitters_pick(const struct emitters *emitters, vec3 point, double which,
                    const double u[2], struct emitter_pick *pick);
 
+/* Whether what a ray in its direction met is what was picked. */
+bool emitter_is_met(const struct emitter_pick *pick,
+                    const struct intersection *at);
+
 /* What is picked of one leaf: where `which` is within `share` from `from` on.
  */
 struct emitter_share {

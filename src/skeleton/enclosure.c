@@ -38,8 +38,16 @@ void enclosure_wall(struct enclosure *enclosure, uint32_t zone, double area,
                       albedo_limited(albedo.b));
     z->area += area;
     z->reflecting = rgb_add_scaled(z->reflecting, albedo, area);
-    rgb sent = rgb_add(rgb_mul(albedo, direct), emission);
-    z->source = rgb_add_scaled(z->source, sent, area);
+    z->source = rgb_add_scaled(z->source, rgb_mul(albedo, direct), area);
+    z->glowing = rgb_add_scaled(z->glowing, emission, area);
+}
+
+void enclosure_shine(struct enclosure *enclosure, uint32_t zone, rgb shone,
+                     rgb returned)
+{
+    struct zone *z = &enclosure->zones[zone];
+    z->shone = rgb_add(z->shone, shone);
+    z->source = rgb_add(z->source, returned);
 }
 
 void enclosure_open(struct enclosure *enclosure, uint32_t a, uint32_t b,
@@ -208,6 +216,15 @@ static bool zone_balance(struct enclosure *enclosure, const struct views *views,
            settled(before.b, z->light.b);
 }
 
+/* With what comes straight from what glows, and goes there. */
+static void zone_finish(struct zone *z)
+{
+    if (!(z->area > 0))
+        return;
+    z->light = rgb_add_scaled(z->light, z->shone, 1 / z->area);
+    z->sent = rgb_add_scaled(z->sent, z->glowing, 1 / z->area);
+}
+
 int enclosure_solve(struct enclosure *enclosure)
 {
     enclosure_merge(enclosure);
@@ -222,6 +239,8 @@ int enclosure_solve(struct enclosure *enclosure)
             done &= zone_balance(enclosure, &views, i);
         rounds++;
     }
+    for (size_t i = 0; i < enclosure->count; i++)
+        zone_finish(&enclosure->zones[i]);
     memory_free(views.first);
     memory_free(views.items);
     return rounds;

@@ -5,10 +5,12 @@
  *   S_i E_i = sum_j A_ij B_j + A_i,sky E_sky,    B_j = rho_j E_j + Q_j / S_j
  *
  * where A_ij = A_ji is the area of i times the share of j in what it sees, and
- * A_ii what is left of S_i. One zone alone is an integrating sphere (Sumpner
- * 1892: E = rho Phi / (S (1 - rho))). E is the indirect irradiance. Units are
- * POV-Ray's, without pi: a wall sends out albedo * irradiance, and E is also
- * the mean radiance that comes in. */
+ * A_ii what is left of S_i. What glows may light walls by itself, by better
+ * ways than those between zones: what it gives them is part of Q, and added to
+ * E in the end, as to B what it sends. One zone alone is an integrating sphere
+ * (Sumpner 1892: E = rho Phi / (S (1 - rho))). E is the indirect irradiance.
+ * Units are POV-Ray's, without pi: a wall sends out albedo * irradiance, and E
+ * is also the mean radiance that comes in. */
 #ifndef SKELETON_ENCLOSURE_H
 #define SKELETON_ENCLOSURE_H
 
@@ -21,6 +23,8 @@ struct zone {
     double area;
     rgb reflecting; /* sum of area * albedo */
     rgb source;     /* Q */
+    rgb glowing;    /* sum of area * emission */
+    rgb shone;      /* sum of area * irradiance straight from what glows */
     double sky;     /* of the area, what sees the sky */
     rgb sky_light;  /* sum of that area * radiance of the sky there */
     rgb light;      /* E, by enclosure_solve */
@@ -49,9 +53,14 @@ struct enclosure {
 struct enclosure *enclosure_new(struct arena *arena, size_t count);
 
 /* A piece of wall: `direct` is the irradiance it gets from lamps, `emission`
- * what it sends out by itself. */
+ * what it sends out by itself, which lights none but by enclosure_shine. */
 void enclosure_wall(struct enclosure *enclosure, uint32_t zone, double area,
                     rgb albedo, rgb direct, rgb emission);
+
+/* Walls of the zone get light straight from what glows: sums of area *
+ * irradiance, and of what they send back of that. */
+void enclosure_shine(struct enclosure *enclosure, uint32_t zone, rgb shone,
+                     rgb returned);
 
 void enclosure_open(struct enclosure *enclosure, uint32_t a, uint32_t b,
                     double area);

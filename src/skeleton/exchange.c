@@ -20,7 +20,11 @@
 enum {
     RAYS_LEAST = 64, /* of a zone [pillars] */
     PATCH_MOST = 64, /* of a patch, where there are few */
+    NARROW_MOST = 8, /* walls of gaps that one goes on from */
 };
+
+/* What is drawn of a ray. */
+enum { DRAW_WAY, DRAW_WHICH, DRAW_WHERE, DRAW_ON };
 
 /* What a ray met, and how much of its zone's area it stands for. */
 struct meeting {
@@ -37,8 +41,9 @@ struct sender {
     bool all;            /* ... of all patches: there are few */
     struct meeting *met; /* by its rays, sorted by zones */
     size_t rays;
-    double sky_area; /* that the sky is met by */
-    rgb sky;         /* sum of area * radiance over it */
+    double sky_area;     /* that the sky is met by */
+    rgb sky;             /* sum of area * radiance over it */
+    rgb shone, returned; /* as of enclosure_shine */
 };
 
 struct exchange {
@@ -56,6 +61,9 @@ static uint32_t patch_zone(const struct exchange *exchange,
                            const struct wall_patch *patch)
 {
     uint32_t piece = exchange->sight->pieces->of_voxel[patch->voxel];
+    if (exchange->sight->scene.emitters &&
+        !skeleton_faces(exchange->sight->skeleton, patch->point, patch->normal))
+        return ZONE_NONE;
     return piece == PIECE_NONE ? ZONE_NONE
                                : zone_of(piece, side_of(patch->normal));
 }
@@ -108,25 +116,126 @@ static struct draws patch_draws(const struct exchange *exchange,
                            morton_place(u, v) };
 }
 
-/* The ray begins above its patch, not farther along: in a corner it would be
+/* What glows is found by rays that go everywhere and by such that pick it, of
+ * which there are as many: each counts by how likely it is (balance heuristic,
+ * Veach 1997, section 9.2). */
+static double found_once(double density, double other)
+{
+    return isfinite(other) ? density / (density + other) : 0;
+}
+
+/* A ray of a patch, and where it goes on from walls that no void is before:
+ * what these send is nowhere else. */
+struct shot {
+    const struct exchange *exchange;
+    struct sender *sender;
+    const struct wall_patch *patch;
+    struct draws draws;
+    double area; /* that it stands for */
+    rgb share;   /* what the patch gets of what comes along the ray */
+    struct ray ray;
+    vec3 normal; /* of what it comes from */
+};
+
+/* So much light comes along it straight from what glows, or from walls that no
+ * void is before. */
+static void shot_shine(const struct shot *shot, rgb light)
+{
+    struct sender *sender = shot->sender;
+    rgb shone = rgb_scale(rgb_mul(shot->share, light), shot->area);
+    sender->shone = rgb_add(sender->shone, shone);
+    sender->returned = rgb_add(sender->returned,
+                               rgb_mul(patch_rgb(shot->patch->albedo), shone));
+}
+
+/* The irradiance of where the ray begins by one pick of what glows. */
+static rgb shot_pick(const struct shot *shot)
+{
+    struct sight_glow found;
+    double u[2];
+    draw_pair(&shot->draws, DRAW_WHERE, u);
+    if (!sight_pick(shot->exchange->sight, shot->ray.origin,
+                    draw_unit(&shot->draws, DRAW_WHICH), u, &found))
+        return rgb_grey(0);
+    double density = vec3_dot(found.direction, shot->normal) / WARP_PI;
+    return rgb_scale(found.glow,
+                     density > 0 ? density / (density + found.picked) : 0);
+}
+
+/* The ray begins above the surface, not farther along: in a corner it would be
  * through the other wall. */
+static void shot_aim(struct shot *shot, vec3 point, vec3 normal)
+{
+    double u[2];
+    draw_pair(&shot->draws, DRAW_WAY, u);
+    shot->normal = normal;
+    shot->ray = (struct ray){ vec3_along(point, normal, surface_offset(point)),
+                              warp_lobe(u, normal, 1) };
+}
+
+/* What the ray meets; what glows there counts. */
+static struct sighting shot_look(const struct shot *shot)
+{
+    const struct draws *draws = &shot->draws;
+    struct sighting seen = sight_zone(shot->exchange->sight, &shot->ray, 0,
+                                      random_key(draws->key, draws->index));
+    double density = vec3_dot(shot->ray.direction, shot->normal) / WARP_PI,
+           once = found_once(density, seen.picked);
+    if (seen.zone == ZONE_SKY)
+        seen.beyond = rgb_add_scaled(seen.beyond, seen.glow, once - 1);
+    else
+        shot_shine(shot, rgb_scale(seen.glow, once));
+    return seen;
+}
+
+/* From a wall that no void is before. */
+static void shot_go_on(struct shot *shot, const struct sighting *seen)
+{
+    const struct patches_scene *scene = &shot->exchange->sight->scene;
+    const vec3 way = shot->ray.direction;
+    rgb albedo;
+    rgb lit =
+        patches_lit(scene, way, &seen->at,
+                    random_key(shot->draws.key, shot->draws.index), &albedo);
+    shot->share = rgb_scale(rgb_mul(shot->share, albedo), seen->clear);
+    shot->draws = draws_within(&shot->draws, DRAW_ON);
+    shot_aim(shot, seen->at.point, vec3_against(seen->at.face, way));
+    shot_shine(shot, rgb_add(lit, shot_pick(shot)));
+}
+
+/* What is lost on the way is as if it went to a black sky. */
+static void shot_end(const struct shot *shot, const struct sighting *seen)
+{
+    struct sender *sender = shot->sender;
+    bool sky = seen->zone == ZONE_SKY;
+    double left =
+        sky ? 0 : shot->area * seen->clear * rgb_brightness(shot->share);
+    sender->met[sender->rays++] =
+        (struct meeting){ seen->zone, sky ? shot->area : left };
+    sender->sky_area += shot->area - left;
+    sender->sky = rgb_add_scaled(
+        sender->sky, rgb_mul(shot->share, sky ? seen->beyond : seen->veil),
+        shot->area);
+}
+
 static void sender_shoot(const struct exchange *exchange, struct sender *sender,
                          const struct wall_patch *patch,
                          const struct draws *draws)
 {
-    double u[2], area = (double)patch->area / sender->each;
-    draw_pair(draws, 0, u);
-    struct ray ray = { vec3_along(patch->point, patch->normal,
-                                  surface_offset(patch->point)),
-                       warp_lobe(u, patch->normal, 1) };
-    struct sighting seen = sight_zone(exchange->sight, &ray, 0,
-                                      random_key(draws->key, draws->index));
-    bool sky = seen.zone == ZONE_SKY;
-    sender->met[sender->rays++] =
-        (struct meeting){ seen.zone, sky ? area : area * seen.clear };
-    sender->sky_area += sky ? area : area * (1 - seen.clear);
-    sender->sky =
-        rgb_add_scaled(sender->sky, sky ? seen.beyond : seen.veil, area);
+    struct shot shot = { .exchange = exchange,
+                         .sender = sender,
+                         .patch = patch,
+                         .draws = *draws,
+                         .area = (double)patch->area / sender->each,
+                         .share = rgb_grey(1) };
+    shot_aim(&shot, patch->point, patch->normal);
+    shot_shine(&shot, shot_pick(&shot));
+    struct sighting seen = shot_look(&shot);
+    for (int i = 0; seen.narrow && i < NARROW_MOST; i++) {
+        shot_go_on(&shot, &seen);
+        seen = shot_look(&shot);
+    }
+    shot_end(&shot, &seen);
 }
 
 /* The rays of a patch; returns the area for which they stand. */
@@ -168,6 +277,8 @@ static void sender_look(void *context, size_t number, unsigned thread)
         sender->met[i].area *= scale;
     sender->sky_area *= scale;
     sender->sky = rgb_scale(sender->sky, scale);
+    sender->shone = rgb_scale(sender->shone, scale);
+    sender->returned = rgb_scale(sender->returned, scale);
     qsort(sender->met, sender->rays, sizeof *sender->met, meeting_compare);
 }
 
@@ -181,6 +292,7 @@ static void exchange_walls(const struct exchange *exchange,
                        patch_rgb(patch->albedo), patch_rgb(patch->direct),
                        patch_rgb(patch->emission));
     }
+    enclosure_shine(enclosure, sender->zone, sender->shone, sender->returned);
     if (sender->sky_area > 0)
         enclosure_sky(enclosure, sender->zone, sender->sky_area,
                       rgb_scale(sender->sky, 1 / sender->sky_area));

@@ -241,6 +241,25 @@ rgb patches_beyond(const struct patches_scene *from, vec3 direction,
         beyond_arriving(from, &point, direction, random_key(key, 6)), key);
 }
 
+rgb patches_lit(const struct patches_scene *from, vec3 direction,
+                const struct intersection *at, uint64_t key, rgb *albedo)
+{
+    const struct patches_task task = { .from = from, .lamps_each = 1 };
+    struct patch_point point;
+    point.at = *at;
+    patch_look(&point, direction);
+    *albedo = point.albedo;
+    return patch_direct(&task, &point, key);
+}
+
+rgb patches_glow(vec3 direction, const struct intersection *at)
+{
+    struct patch_point point;
+    point.at = *at;
+    patch_look(&point, direction);
+    return point.emission;
+}
+
 struct patches *patches_new(const struct voxels *voxels,
                             const struct patches_scene *from)
 {

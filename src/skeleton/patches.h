@@ -33,6 +33,7 @@ struct patches_scene {
     const struct ambience *ambience;
     const struct lamp *lamps;
     size_t lamp_count;
+    const struct emitters *emitters; /* what glows; NULL while there is none */
     uint64_t seed;
     unsigned threads;
     const atomic_int *stop; /* non-zero: leave off; NULL: never */
@@ -48,6 +49,15 @@ void patches_free(struct patches *patches);
  * of the sky above it. */
 rgb patches_beyond(const struct patches_scene *from, vec3 direction,
                    const struct intersection *at, uint64_t key);
+
+/* The irradiance that a surface gets from lamps where a ray of this direction
+ * meets it; what it gives back of irradiance into *albedo. */
+rgb patches_lit(const struct patches_scene *from, vec3 direction,
+                const struct intersection *at, uint64_t key, rgb *albedo);
+
+/* The light that a surface gives by itself, where a ray of this direction meets
+ * it. */
+rgb patches_glow(vec3 direction, const struct intersection *at);
 
 static inline rgb patch_rgb(struct patch_light light)
 {

@@ -2,9 +2,11 @@
 #include "skeleton/sight.h"
 
 #include "shade/background.h"
+#include "shade/emitters.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
+#include "skeleton/matter.h"
 #include "skeleton/wall.h"
 
 enum { CROSSINGS = 16 }; /* of things that a ray passes through, at most */
@@ -32,6 +34,27 @@ static bool sight_end(const struct sight *sight, const struct ray *ray,
     return false;
 }
 
+/* Whether it may glow. */
+static bool sight_may_glow(const struct sight *sight,
+                           const struct intersection *at)
+{
+    return (sight->skeleton->marks[at->leaf->number] & MATTER_EMITTER) ||
+           at->texture != at->leaf->look->texture || at->leaf->look->no_shadow;
+}
+
+static void sight_glows(const struct sight *sight, const struct ray *ray,
+                        const struct intersection *at, rgb through,
+                        struct sighting *seen)
+{
+    const struct emitters *emitters = sight->scene.emitters;
+    if (!sight_may_glow(sight, at))
+        return;
+    seen->glow = rgb_mul(through, patches_glow(ray->direction, at));
+    if (emitters && rgb_peak(seen->glow) > 0)
+        seen->picked =
+            emitters_density(emitters, ray->origin, ray->direction, at);
+}
+
 /* Fog on the way: it gives light as the sky does (light meshes: gather.c). */
 static void sight_fog(const struct sight *sight, const struct ray *ray,
                       double distance, struct sighting *seen)
@@ -46,6 +69,7 @@ static void sight_fog(const struct sight *sight, const struct ray *ray,
                              rgb_sub(rgb_grey(1), clear));
     seen->clear = rgb_brightness(clear);
     seen->veil = veil.light;
+    seen->glow = rgb_mul(clear, seen->glow);
     seen->beyond = rgb_add(rgb_mul(clear, seen->beyond), veil.light);
 }
 
@@ -65,6 +89,8 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
                                 .distance = HUGE_VAL,
                                 .beyond = rgb_mul(through, beyond),
                                 .clear = 1 };
+        if (met)
+            sight_glows(sight, ray, &at, through, &sky);
         sight_fog(sight, ray, met ? at.t : (double)INFINITY, &sky);
         return sky;
     }
@@ -72,8 +98,13 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
                              .distance =
                                  vec3_length(vec3_sub(at.point, ray->origin)),
                              .clear = 1 };
+    sight_glows(sight, ray, &at, through, &seen);
     sight_fog(sight, ray, seen.distance, &seen);
     vec3 face = vec3_against(at.face, ray->direction);
+    seen.narrow =
+        sight->scene.emitters && !skeleton_faces(skeleton, at.point, face);
+    if (seen.narrow)
+        seen.at = at;
     struct skeleton_point point =
         skeleton_find(skeleton, at.point, face, ray->origin);
     if (point.node == GRAPH_NONE)
@@ -82,4 +113,25 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
     if (piece != PIECE_NONE)
         seen.zone = zone_of(piece, side_of(face));
     return seen;
+}
+
+bool sight_pick(const struct sight *sight, vec3 point, double which,
+                const double u[2], struct sight_glow *found)
+{
+    struct emitter_pick pick;
+    struct intersection at;
+    rgb through;
+    bool wall;
+    if (!sight->scene.emitters ||
+        !emitters_pick(sight->scene.emitters, point, which, u, &pick))
+        return false;
+    const struct ray ray = { point, pick.direction };
+    struct sighting seen = { .clear = 1 };
+    if (!sight_end(sight, &ray, 0, &at, &wall, &through) ||
+        !emitter_is_met(&pick, &at))
+        return false;
+    sight_glows(sight, &ray, &at, through, &seen);
+    sight_fog(sight, &ray, at.t, &seen);
+    *found = (struct sight_glow){ pick.direction, seen.glow, pick.density };
+    return rgb_peak(seen.glow) > 0;
 }

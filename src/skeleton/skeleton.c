@@ -179,17 +179,34 @@ static bool find_around(const struct skeleton *skeleton, int tries,
     return false;
 }
 
+/* Void straight before the point. */
+static bool find_before(const struct skeleton *skeleton,
+                        struct skeleton_point *point)
+{
+    static const double steps[] = { 0.5, 1, 1.5 };
+    double edge = skeleton->voxels->edge;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
+        if (point_take(
+                skeleton,
+                vec3_along(point->position, point->normal, steps[i] * edge),
+                point))
+            return true;
+    return false;
+}
+
+bool skeleton_faces(const struct skeleton *skeleton, vec3 position, vec3 normal)
+{
+    struct skeleton_point point = { .position = position, .normal = normal };
+    return find_before(skeleton, &point);
+}
+
 /* skeleton_find, but for the node, which not all need. */
 static struct skeleton_point find_void(const struct skeleton *skeleton,
                                        vec3 position, vec3 normal, vec3 from)
 {
-    static const double steps[] = { 0.5, 1, 1.5 };
-    double edge = skeleton->voxels->edge;
     struct skeleton_point point = { .position = position, .normal = normal };
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
-        if (point_take(skeleton, vec3_along(position, normal, steps[i] * edge),
-                       &point))
-            return point;
+    if (find_before(skeleton, &point))
+        return point;
     bool seen =
         from.x != position.x || from.y != position.y || from.z != position.z;
     if (find_on_way(skeleton, from, &point) ||

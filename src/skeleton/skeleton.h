@@ -116,6 +116,11 @@ bool skeleton_search(const struct skeleton *skeleton, int reach,
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
                                     vec3 position, vec3 normal, vec3 from);
 
+/* Whether there is void before a surface there, not only beside it: it isn't in
+ * a gap that is narrower than voxels. */
+bool skeleton_faces(const struct skeleton *skeleton, vec3 position,
+                    vec3 normal);
+
 /* What the heuristic says. Where the skeleton doesn't reach it is black, and
  * outside of the grid what the sky gives. */
 struct skeleton_light skeleton_light(const struct skeleton *skeleton,

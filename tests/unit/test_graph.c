@@ -242,7 +242,22 @@ static void one_zone(void **state)
     arena_free(arena);
 }
 
-/* What comes in by lamps, emission and sky goes out by walls and sky. */
+/* The same, of walls that what glows gives an irradiance of 2, and that glow.
+ */
+static void one_zone_that_is_shone_at(void **state)
+{
+    (void)state;
+    struct arena *arena = arena_new(0);
+    struct enclosure *e = enclosure_new(arena, 1);
+    enclosure_wall(e, 0, 8, rgb_grey(0.6), rgb_grey(0), rgb_grey(3));
+    enclosure_shine(e, 0, rgb_grey(8 * 2), rgb_grey(8 * 0.6 * 2));
+    enclosure_solve(e);
+    assert_close(e->zones[0].light.g, 2 / (1 - 0.6), 1e-9);
+    assert_close(e->zones[0].sent.g, 3 + 0.6 * 2 / (1 - 0.6), 1e-9);
+    arena_free(arena);
+}
+
+/* What comes in by lamps, glow and sky goes out by walls and sky. */
 static void energy_is_kept(void **state)
 {
     (void)state;
@@ -252,9 +267,10 @@ static void energy_is_kept(void **state)
     for (uint32_t i = 0; i < 40; i++) {
         rgb albedo = rgb_grey(0.1 + 0.02 * i);
         rgb direct = rgb_grey(i == 7 ? 10 : 0);
-        rgb emission = rgb_grey(i == 11 ? 3 : 0);
-        enclosure_wall(e, i, 1 + i % 5, albedo, direct, emission);
-        in += (1 + i % 5) * (albedo.r * direct.r + emission.r);
+        rgb returned = rgb_grey(i == 11 ? 3 : 0);
+        enclosure_wall(e, i, 1 + i % 5, albedo, direct, rgb_grey(0));
+        enclosure_shine(e, i, rgb_grey(0), returned);
+        in += (1 + i % 5) * albedo.r * direct.r + returned.r;
         for (uint32_t k = 1; k <= i && k < 4; k++)
             enclosure_open(e, i, i - k, 0.1 * (i % 3 + k));
     }
@@ -323,6 +339,7 @@ int main(void)
         cmocka_unit_test(pieces_fill_the_void),
         cmocka_unit_test(pieces_follow_a_root),
         cmocka_unit_test(one_zone),
+        cmocka_unit_test(one_zone_that_is_shone_at),
         cmocka_unit_test(energy_is_kept),
         cmocka_unit_test(zones_see_their_area),
         cmocka_unit_test(odd_enclosures),

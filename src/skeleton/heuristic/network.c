@@ -9,6 +9,7 @@
 #include "base/warp.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
+#include "shade/emitters.h"
 #include "skeleton/exchange.h"
 #include "skeleton/heuristic.h"
 #include "skeleton/shore.h"
@@ -102,8 +103,10 @@ static void *network_start(const struct skeleton *skeleton)
 {
     struct arena *arena = arena_new(0);
     struct network *network = ARENA_NEW(arena, struct network);
+    struct emitters *emitters = emitters_new(skeleton->world, true);
     struct patches_scene scene = {
         .world = skeleton->world,
+        .emitters = emitters_any(emitters) ? emitters : NULL,
         .ambience = &skeleton->ambience,
         .lamps = skeleton->plain_lamps,
         .lamp_count = skeleton->lamp_count,
@@ -116,6 +119,8 @@ static void *network_start(const struct skeleton *skeleton)
                                  skeleton->graph, skeleton->root);
     network->sight = (struct sight){ skeleton, network->pieces, scene };
     network_solve(network, skeleton);
+    network->sight.scene.emitters = NULL;
+    emitters_free(emitters);
     network->shore = shore_new(skeleton->voxels);
     for (int side = 0; side < SIDES; side++)
         network->sky[side] = sky_irradiance(skeleton, side);
