@@ -25,6 +25,8 @@ struct gatherer {
 struct brought {
     rgb light;
     double open, density;
+    double dull; /* its brightness but for what glows: picks bring most of that,
+                  * and it is no edge */
 };
 
 /* Rays that are waiting. */
@@ -118,7 +120,11 @@ static struct brought gatherer_look(const struct gatherer *gatherer,
                       ? gatherer_glow(gatherer, found->at.leaf, found->at.t)
                       : 1;
     rgb light = gather_balanced(gather, &ray, picks, left, found);
-    return (struct brought){ light, found->open, density };
+    rgb dull = emitters_any(gather->emitters)
+                   ? rgb_sub(found->light, found->glow)
+                   : light;
+    return (struct brought){ light, found->open, density,
+                             rgb_brightness(dull) };
 }
 
 static void gatherer_flush(const struct gatherer *gatherer,
@@ -221,7 +227,8 @@ static void gatherer_settle(const struct gatherer *gatherer,
         bool wall = vec3_dot(own[i], gatherer->site->wall) > 0;
         bool sent = brought[i].density > 0;
         all += sent ? brought_weight(&brought[i]) : 0;
-        weight[i] = sent && !wall ? brought_weight(&brought[i]) : (double)NAN;
+        weight[i] = sent && !wall ? brought[i].dull / brought[i].density
+                                  : (double)NAN;
     }
     way_cells_edges(&mesh->cells, part, weight,
                     mesh->edge * all / gatherer->count, edge);
@@ -326,7 +333,8 @@ static void gatherer_virtual(const struct gatherer *gatherer,
     unsigned count = gather_virtual(gather, gatherer->worker,
                                     gatherer->site->place, part, found);
     for (unsigned i = 0; i < count; i++) {
-        const struct brought brought = { found[i].light, 0, found[i].density };
+        const struct brought brought = { found[i].light, 0, found[i].density,
+                                         rgb_brightness(found[i].light) };
         gathered_add(sum, gatherer, found[i].direction, &brought,
                      gatherer->count);
     }
