@@ -227,8 +227,8 @@ static void gatherer_settle(const struct gatherer *gatherer,
         bool wall = vec3_dot(own[i], gatherer->site->wall) > 0;
         bool sent = brought[i].density > 0;
         all += sent ? brought_weight(&brought[i]) : 0;
-        weight[i] = sent && !wall ? brought[i].dull / brought[i].density
-                                  : (double)NAN;
+        weight[i] =
+            sent && !wall ? brought[i].dull / brought[i].density : (double)NAN;
     }
     way_cells_edges(&mesh->cells, part, weight,
                     mesh->edge * all / gatherer->count, edge);

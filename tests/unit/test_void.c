@@ -79,6 +79,7 @@ static const char *const surfaces[] = {
     "cylinder { -1.8*x, 1.9*x, 0.3 }",
     "cone { -1.9*y, 0.9, 1.93*y, 0.3 }",
     "torus { 1.3, 0.2 }",
+    "torus { 0.8, 1 }",
     "quadric { <1,0,1>, 0, 0, -0.5 clipped_by { box { -1.9, 1.8 } } }",
 };
 

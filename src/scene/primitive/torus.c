@@ -269,25 +269,35 @@ static struct range range_of_magnitude(double centre, double half)
     return (struct range){ fmax(0, fabs(centre) - half), fabs(centre) + half };
 }
 
-/* Distances from the tube's middle line change no faster than the way gone, and
- * in the box around the cell they are those of a rectangle across the tube. */
+/* Whether a circle across the tube, so far off the axis, may be met by a cell
+ * whose distances from the axis these are. Distances from the circle's middle
+ * change no faster than the way gone, and in the box around the cell they are
+ * those of a rectangle. */
+static bool tube_meets(const struct torus *torus, const struct cell *cell,
+                       double off, struct range rho)
+{
+    const vec3 c = cell->centre;
+    const double r = torus->minor, middle = hypot(hypot(c.x, c.z) - off, c.y);
+    struct range y = range_of_magnitude(c.y, cell->half.y);
+    struct range out = range_of_magnitude((rho.low + rho.high) / 2 - off,
+                                          (rho.high - rho.low) / 2);
+    return fabs(middle - r) <= cell->radius && hypot(out.low, y.low) <= r &&
+           hypot(out.high, y.high) >= r;
+}
+
+/* Where it is thicker than wide, the tube's other side is within. */
 static unsigned torus_meets(const void *shape, const struct cell *cell)
 {
     const struct torus *torus = shape;
-    vec3 c = cell->centre;
-    double r = torus->minor;
-    double middle = hypot(hypot(c.x, c.z) - torus->major, c.y);
-    if (fabs(middle - r) > cell->radius)
-        return 0;
-    struct range x = range_of_magnitude(c.x, cell->half.x);
-    struct range z = range_of_magnitude(c.z, cell->half.z);
-    struct range y = range_of_magnitude(c.y, cell->half.y);
-    double near = hypot(x.low, z.low) - torus->major;
-    double far = hypot(x.high, z.high) - torus->major;
-    struct range out = range_of_magnitude((near + far) / 2, (far - near) / 2);
-    bool apart = hypot(out.low, y.low) > r || hypot(out.high, y.high) < r;
+    struct range x = range_of_magnitude(cell->centre.x, cell->half.x);
+    struct range z = range_of_magnitude(cell->centre.z, cell->half.z);
+    struct range rho = { hypot(x.low, z.low), hypot(x.high, z.high) };
     unsigned surface = torus->unseen ? 0 : CELL_SURFACE;
-    return apart ? 0 : surface | CELL_BORDER;
+    return tube_meets(torus, cell, torus->major, rho) ||
+                   (torus->minor > torus->major &&
+                    tube_meets(torus, cell, -torus->major, rho))
+               ? surface | CELL_BORDER
+               : 0;
 }
 
 /* Measured: both turn the other way than a sphere's. */
