@@ -2,6 +2,7 @@
 #include "lightmesh/drawn_lamp.h"
 
 #include "lightmesh/tuning.h"
+#include "shade/finish.h"
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
@@ -21,10 +22,14 @@ static bool candidate_lights(struct candidate *candidate,
         !lamp_look(lamp, light->location, place->point, &candidate->view))
         return false;
     double cosine = vec3_dot(candidate->view.direction, place->normal);
+    if (!(cosine > 0))
+        return false;
     candidate->lamp = lamp;
+    if (place->finish)
+        cosine = finish_cosine(place->finish, cosine);
     candidate->light =
         rgb_scale(light->colour, cosine * candidate->view.attenuation);
-    return cosine > 0;
+    return true;
 }
 
 /* Number i of so many that are spread evenly over all lamps. */

@@ -12,6 +12,8 @@
 struct lit_place {
     vec3 point, normal;      /* unit */
     const struct leaf *leaf; /* whose lamps alone light it; NULL: all do */
+    const struct finish
+        *finish; /* by which the cosine counts; NULL: as it is */
 };
 
 /* Its irradiance, in POV-Ray's units. Takes the pairs of slots `slot` and

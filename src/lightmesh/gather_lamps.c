@@ -22,7 +22,8 @@ rgb gather_lamps(const struct gather *gather, struct worker *worker,
 {
     const struct lamps *lamps = gather->lamps;
     const struct lit_place place = { receiver->point, receiver->normal,
-                                     surface->at->leaf };
+                                     surface->at->leaf,
+                                     texture_finish(surface->at->texture) };
     struct receiver asked = *receiver;
     asked.view.coarser = HIT_LEVELS;
     if (gather->direct && gather_lamps_asks(gather->direct) &&

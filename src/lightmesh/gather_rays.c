@@ -23,7 +23,8 @@ void gather_rays_want_light(struct gather_rays *sent, unsigned i)
 {
     const struct intersection *at = &sent->found[i].at;
     vec3 normal = vec3_against(at->normal, rays_direction(&sent->rays, (int)i));
-    sent->lit.at[i] = (struct lit_place){ at->point, normal, at->leaf };
+    sent->lit.at[i] = (struct lit_place){ at->point, normal, at->leaf,
+                                          texture_finish(at->texture) };
     sent->lit.draws[i] = sent->draws[i];
     sent->lit.lanes |= 1u << i;
 }

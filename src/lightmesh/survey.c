@@ -46,7 +46,8 @@ static void sight_light(struct sight *sight, const struct gather *gather,
 {
     const struct surface *surface = &sight->surface;
     const struct lit_place place = { surface->point, surface->normal,
-                                     surface->at->leaf };
+                                     surface->at->leaf,
+                                     texture_finish(surface->at->texture) };
     rgb direct =
         drawn_lamp_light(gather->lamps, worker, draws, GATHER_LAMP, &place);
     sight->albedo = surface_albedo(surface);

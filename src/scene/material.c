@@ -209,6 +209,17 @@ bool texture_takes_light(const struct texture *texture)
     return false;
 }
 
+const struct finish *texture_finish(const struct texture *texture)
+{
+    const struct finish *most = NULL;
+    for (size_t i = 0; i < texture->count; i++) {
+        const struct finish *finish = texture->layers[i].finish;
+        if (!most || finish->diffuse > most->diffuse)
+            most = finish;
+    }
+    return most;
+}
+
 static const struct texture *choice_moved(struct arena *arena,
                                           const struct texture *texture,
                                           const affine *transform)

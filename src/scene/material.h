@@ -298,6 +298,9 @@ bool texture_shines(const struct texture *texture);
 /* Whether light that comes to any layer is scattered. */
 bool texture_takes_light(const struct texture *texture);
 
+/* The finish of the layer that gives back most of it; NULL: there is none. */
+const struct finish *texture_finish(const struct texture *texture);
+
 /* Whether it has a pattern or an image: else it only holds what others begin
  * with, as `#default { normal { bump_size 2 } }` does. */
 bool normal_tilts(const struct normal *perturbation);

@@ -7,19 +7,14 @@
 #include "base/random.h"
 
 /* Diffuse reflection of light at `cosine` to the normal (negative: from
- * behind). `diffuse albedo` makes the whole reflected share `diffuse`. */
+ * behind). */
 static double finish_diffuse(const struct finish *finish, double cosine,
                              bool twice)
 {
     double share = cosine > 0 || twice ? finish->diffuse : finish->diffuse_back;
     if (share == 0 || cosine == 0)
         return 0;
-    cosine = fabs(cosine);
-    if (finish->diffuse_albedo)
-        share *= (finish->brilliance + 1) / 2;
-    if (finish->brilliance != 1)
-        cosine = power_of(cosine, finish->brilliance);
-    return share * cosine;
+    return share * finish_cosine(finish, fabs(cosine));
 }
 
 static uint64_t bits_of(double value)

@@ -4,6 +4,7 @@
 #define SHADE_FINISH_H
 
 #include "base/lesser.h"
+#include "base/power.h"
 #include "shade/surface.h"
 
 /* Adds what the surface's layers send to the viewer of light of one direction:
@@ -16,6 +17,18 @@ void surface_add_light(const struct surface *surface,
 double finish_diffused(const struct finish *finish,
                        const struct finish_meeting *meeting, vec3 point,
                        bool twice, double opacity);
+
+/* What takes the place of the cosine of light that comes to a surface's front,
+ * which Lambert's law has: cosine^brilliance, and `diffuse albedo` makes the
+ * whole reflected share `diffuse`. */
+static inline double finish_cosine(const struct finish *finish, double cosine)
+{
+    if (finish->brilliance == 1)
+        return cosine;
+    double facing = power_of(cosine, finish->brilliance);
+    return finish->diffuse_albedo ? facing * (finish->brilliance + 1) / 2
+                                  : facing;
+}
 
 /* Whether that is more than the cosine times a number. */
 static inline bool finish_is_uneven(const struct finish *finish)

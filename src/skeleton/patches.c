@@ -33,6 +33,7 @@ struct patch_point {
     struct intersection at;
     struct surface surface;
     rgb albedo, emission;
+    const struct finish *finish; /* by which lamps' light counts */
 };
 
 static struct patch_light patch_light(rgb light)
@@ -65,6 +66,7 @@ static void patch_look(struct patch_point *point, vec3 direction)
         .direction = direction, .ior = 1, .quality = QUALITY_FOG, .bailout = 0
     };
     surface_fill(&point->surface, &point->at, &view);
+    point->finish = texture_finish(point->at.texture);
     patch_paint(point);
 }
 
@@ -90,8 +92,11 @@ static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
     double cosine = vec3_dot(view->direction, point->surface.normal);
     if (point->at.leaf->look->double_illuminate)
         cosine = fabs(cosine);
-    return rgb_scale(lamp->light->colour,
-                     cosine > 0 ? cosine * view->attenuation : 0);
+    if (!(cosine > 0))
+        return rgb_grey(0);
+    if (point->finish)
+        cosine = finish_cosine(point->finish, cosine);
+    return rgb_scale(lamp->light->colour, cosine * view->attenuation);
 }
 
 static rgb lamp_reaches(const struct patches_task *task,
