@@ -15,6 +15,7 @@
 #include "lightmesh/facet_mesh.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/tuning.h"
+#include "shade/finish.h"
 
 enum { MESHES_MAX = 2 + BOUNCES_MAX };
 
@@ -226,6 +227,14 @@ rgb mesh_bounced(const void *state, struct worker *worker,
     return bounce_toned(&settings->light_mesh.indirect.tone, light);
 }
 
+/* It comes from all around, and is for paint like that of the top layer. */
+static struct diffuse_light diffuse_around(struct diffuse_light light,
+                                           const struct finish *finish)
+{
+    light.irradiance = rgb_scale(light.irradiance, finish_around(finish));
+    return light;
+}
+
 static struct diffuse_light mesh_illuminate(const void *state,
                                             struct worker *worker,
                                             const struct surface *surface,
@@ -246,7 +255,8 @@ static struct diffuse_light mesh_illuminate(const void *state,
     diffuse.irradiance = mesh_lamps_light(&lamps, &light);
     if (mesh->indirect) {
         const struct mesh_indirect known = mesh_surfaces(mesh, false);
-        struct diffuse_light more = mesh_diffuse(&known, worker, surface);
+        struct diffuse_light more = diffuse_around(
+            mesh_diffuse(&known, worker, surface), surface->layer[0].finish);
         diffuse.ambient = more.ambient;
         diffuse.irradiance = rgb_add(diffuse.irradiance, more.irradiance);
     }
@@ -276,9 +286,10 @@ static void mesh_illuminate_many(const void *state, struct worker *worker,
             (struct diffuse_light){ mesh->ambience.light, rgb_grey(0) };
         if (!mesh->indirect || (surface && surface->count == 0))
             continue;
-        diffuse->of[i] = surface
-                             ? mesh_diffuse(&known, worker, surface)
-                             : mesh_diffuse_facet(&known, worker, facets, i);
+        diffuse->of[i] = diffuse_around(
+            surface ? mesh_diffuse(&known, worker, surface)
+                    : mesh_diffuse_facet(&known, worker, facets, i),
+            surface ? surface->layer[0].finish : facets->layer[0].finish[i]);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "lightmesh/near_field.h"
 #include "lightmesh/onward.h"
 #include "lightmesh/tuning.h"
+#include "shade/finish.h"
 #include "shade/shadow.h"
 
 /* A ray that goes on from there, as sample *draws; what it brings will be in
@@ -154,6 +155,9 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     else if (!found && gather->indirect)
         more = indirect_mesh_beyond(gather->indirect, gathering->worker,
                                     &receiver);
+    const struct finish *finish = texture_finish(surface->at->texture);
+    if (finish)
+        more.light = rgb_scale(more.light, finish_around(finish));
     more.light = rgb_add(bounce_toned(&gather->tone, more.light), light);
     if (gathering->lamps && gathering->met == 0)
         *gathering->lamps = light;

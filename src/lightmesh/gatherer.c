@@ -25,8 +25,7 @@ struct gatherer {
 struct brought {
     rgb light;
     double open, density;
-    double dull; /* its brightness but for what glows: picks bring most of that,
-                  * and it is no edge */
+    rgb dull; /* of that what isn't picked: what glows is no edge */
 };
 
 /* Rays that are waiting. */
@@ -123,8 +122,7 @@ static struct brought gatherer_look(const struct gatherer *gatherer,
     rgb dull = emitters_any(gather->emitters)
                    ? rgb_sub(found->light, found->glow)
                    : light;
-    return (struct brought){ light, found->open, density,
-                             rgb_brightness(dull) };
+    return (struct brought){ light, found->open, density, dull };
 }
 
 static void gatherer_flush(const struct gatherer *gatherer,
@@ -227,8 +225,9 @@ static void gatherer_settle(const struct gatherer *gatherer,
         bool wall = vec3_dot(own[i], gatherer->site->wall) > 0;
         bool sent = brought[i].density > 0;
         all += sent ? brought_weight(&brought[i]) : 0;
-        weight[i] =
-            sent && !wall ? brought[i].dull / brought[i].density : (double)NAN;
+        weight[i] = sent && !wall
+                        ? rgb_brightness(brought[i].dull) / brought[i].density
+                        : (double)NAN;
     }
     way_cells_edges(&mesh->cells, part, weight,
                     mesh->edge * all / gatherer->count, edge);
@@ -333,8 +332,8 @@ static void gatherer_virtual(const struct gatherer *gatherer,
     unsigned count = gather_virtual(gather, gatherer->worker,
                                     gatherer->site->place, part, found);
     for (unsigned i = 0; i < count; i++) {
-        const struct brought brought = { found[i].light, 0, found[i].density,
-                                         rgb_brightness(found[i].light) };
+        const struct brought brought = { .light = found[i].light,
+                                         .density = found[i].density };
         gathered_add(sum, gatherer, found[i].direction, &brought,
                      gatherer->count);
     }
@@ -343,7 +342,6 @@ static void gatherer_virtual(const struct gatherer *gatherer,
 static struct gathered gatherer_mean(const struct gatherer *gatherer)
 {
     struct gathered sum = { indirect_light_none, indirect_light_none, 0 };
-    uint32_t count = gatherer->count;
     struct waiting waiting; /* the rest of it isn't read before it is set */
     waiting.rays.count = 0;
     waiting.brought = NULL;
@@ -355,16 +353,15 @@ static struct gathered gatherer_mean(const struct gatherer *gatherer)
     (cells ? gatherer_cells : gatherer_even)(gatherer, &waiting, &sum);
     if (emitters_any(gatherer->mesh->gather.emitters))
         gatherer_pick(gatherer, &sum.light);
-    indirect_light_scale(&sum.light, 1 / (float)count);
-    indirect_light_scale(&sum.wall, 1 / (float)count);
+    indirect_light_scale(&sum.light, 1 / (float)gatherer->count);
+    indirect_light_scale(&sum.wall, 1 / (float)gatherer->count);
     return sum;
 }
 
-static uint32_t lone_samples(const struct indirect_mesh *mesh,
-                             const struct mesh_site *site)
+static double lone_samples(const struct indirect_mesh *mesh, double worth)
 {
-    double worth = fmin(site->worth / gather_worth_whole, 1);
-    return (uint32_t)ceil(worth * worth * mesh->lone_samples);
+    double whole = fmin(worth / gather_worth_whole, 1);
+    return ceil(whole * whole * mesh->lone_samples);
 }
 
 uint32_t gatherer_everywhere(uint32_t samples, bool aims)
@@ -380,13 +377,11 @@ void gatherer_fill(const void *context, struct worker *worker,
     gatherer.mesh = mesh;
     gatherer.worker = worker;
     gatherer.site = site;
-    gatherer.wall_share = WALL_PART;
     gatherer.count = (uint32_t)mesh->samples;
-    uint32_t lone = lone_samples(mesh, site);
-    if (site->lone && lone < gatherer.count)
-        gatherer.count = lone;
-    if (gatherer.count % WALL_PART > 0)
-        gatherer.wall_share = 1;
+    if (site->lone)
+        gatherer.count =
+            (uint32_t)fmin(gatherer.count, lone_samples(mesh, site->worth));
+    gatherer.wall_share = gatherer.count % WALL_PART > 0 ? 1 : WALL_PART;
     gatherer.even = gatherer.count;
     gatherer.aim.count = 0;
     if (mesh->bright && !site->lone) {

@@ -30,6 +30,14 @@ static inline double finish_cosine(const struct finish *finish, double cosine)
                                   : facing;
 }
 
+/* How much light that comes from all around counts, beside what it does by
+ * Lambert's law: the mean of finish_cosine over that of the cosine. */
+static inline double finish_around(const struct finish *finish)
+{
+    bool lambert = finish->brilliance == 1 || finish->diffuse_albedo;
+    return lambert ? 1 : 2 / (fmax(finish->brilliance, 0) + 1);
+}
+
 /* Whether that is more than the cosine times a number. */
 static inline bool finish_is_uneven(const struct finish *finish)
 {

@@ -42,7 +42,7 @@ static struct patch_light patch_light(rgb light)
                                  (float)light.b };
 }
 
-/* All layers together. */
+/* All layers together, for light from all around. */
 static void patch_paint(struct patch_point *point)
 {
     const struct surface *surface = &point->surface;
@@ -57,6 +57,8 @@ static void patch_paint(struct patch_point *point)
             rgb_add(point->albedo, rgb_mul(layer->weight, rgb_sub(lit, dark)));
     }
     point->albedo = rgb_scale(point->albedo, surface_restraint(surface));
+    if (point->finish)
+        point->albedo = rgb_scale(point->albedo, finish_around(point->finish));
 }
 
 /* The surface at point->at, met by a ray of this direction. */
@@ -82,7 +84,7 @@ static vec3 lamp_point(const struct lamp *lamp, vec3 point, uint64_t key)
     return area_grid_point(&grid, i, j);
 }
 
-/* Without shadows. */
+/* Without shadows: the irradiance from all around that does as much. */
 static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
                       vec3 location, struct lamp_view *view)
 {
@@ -95,7 +97,8 @@ static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
     if (!(cosine > 0))
         return rgb_grey(0);
     if (point->finish)
-        cosine = finish_cosine(point->finish, cosine);
+        cosine =
+            finish_cosine(point->finish, cosine) / finish_around(point->finish);
     return rgb_scale(lamp->light->colour, cosine * view->attenuation);
 }
 

@@ -365,6 +365,32 @@ static void below_a_table_it_is_dim(void **state)
     told_free(&room);
 }
 
+/* A room that only strips of light behind a cornice light, in a gap less wide
+ * than two voxels: what comes out of there has met the walls of the gap first.
+ */
+static const char cove[] =
+    "#default { pigment { rgb 1 } finish { ambient 0 diffuse 0.8 } }\n"
+    "box { <-2.5,0,-3>, <2.5,2.8,3> inverse }\n"
+    "#for (S, -1, 1, 2)\n"
+    "  box { <2.28,2.45,-3>, <2.32,2.62,3> scale <S,1,1> }\n"
+    "  box { <2.32,2.45,-3>, <2.5,2.48,3> scale <S,1,1> }\n"
+    "  box { <2.36,2.49,-3>, <2.42,2.51,3> scale <S,1,1>\n"
+    "    finish { emission 6 } }\n"
+    "#end\n"
+    "camera { location <0,1.5,-2.8> look_at <0,1.4,0> }\n";
+
+/* Paths say how much there is on the floor (0.125). */
+static void a_cove_lights_its_room(void **state)
+{
+    (void)state;
+    struct told room = told_new(cove, 48);
+    struct worker worker = { 0 };
+    const vec3 floor = { 0, 0, -1 };
+    assert_near(rgb_peak(skeleton_indirect(room.skeleton, &worker, floor, up)),
+                0.125, 0.2);
+    told_free(&room);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -378,6 +404,7 @@ int main(void)
         cmocka_unit_test(the_sky_is_outside),
         cmocka_unit_test(light_stays_on_its_side),
         cmocka_unit_test(below_a_table_it_is_dim),
+        cmocka_unit_test(a_cove_lights_its_room),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
