@@ -6,7 +6,10 @@
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
-enum { PANES_MAX = 64 }; /* that a ray passes */
+enum {
+    PANES_MAX = 64,  /* that a ray passes */
+    MIRRORS_MAX = 3, /* on one way */
+};
 
 /* Through less than this nothing is seen. */
 static const double least = 0.02;
@@ -111,34 +114,73 @@ rgb surface_ambient(const struct surface *surface)
     return sum;
 }
 
-double ambience_open(const struct ambience *ambience, const struct world *world,
-                     struct worker *worker, const struct ray *ray)
+/* What is left of a ray that looks for openings. */
+struct look_out {
+    const struct ambience *ambience;
+    const struct world *world;
+    struct worker *worker;
+    struct ray ray;
+    double left; /* share of it */
+    int mirrors; /* on its way */
+};
+
+static double look_out(struct look_out *look);
+
+/* What mirrors there show. */
+static double look_mirrored(const struct look_out *look,
+                            const struct surface *surface)
 {
-    struct ray rest = *ray;
-    double open = 0, left = 1;
-    if (ambience->everywhere)
-        return 1;
-    for (int i = 0; i < PANES_MAX && left >= least; i++) {
+    double open = 0;
+    for (int i = 0; i < surface->count && look->mirrors < MIRRORS_MAX; i++) {
+        const struct surface_layer *layer = &surface->layer[i];
+        const vec3 in = look->ray.direction;
+        struct look_out next = *look;
+        next.left *= rgb_brightness(rgb_mul(layer->weight, layer->reflection));
+        if (next.left < least)
+            continue;
+        next.mirrors++;
+        next.ray.origin = surface->point;
+        next.ray.direction = vec3_normalise(
+            vec3_along(in, layer->normal, -2 * vec3_dot(in, layer->normal)));
+        open += look_out(&next);
+    }
+    return open;
+}
+
+static double look_out(struct look_out *look)
+{
+    const struct ambience *ambience = look->ambience;
+    double open = 0;
+    for (int i = 0; i < PANES_MAX && look->left >= least; i++) {
         struct intersection at;
         struct surface surface;
-        worker->counters.shadow_rays++;
-        if (!world_closest(world, &rest, surface_offset(rest.origin),
-                           RAY_REFLECTION, &at))
-            return open + left;
+        look->worker->counters.shadow_rays++;
+        if (!world_closest(look->world, &look->ray,
+                           surface_offset(look->ray.origin), RAY_REFLECTION,
+                           &at))
+            return open + look->left;
         if (ambience->scene->fogs.count > 0) {
-            rgb clear = fog_veil(ambience->scene, &rest, at.t).through;
-            open += left * (1 - rgb_brightness(clear));
-            left *= rgb_brightness(clear);
+            rgb clear = fog_veil(ambience->scene, &look->ray, at.t).through;
+            open += look->left * (1 - rgb_brightness(clear));
+            look->left *= rgb_brightness(clear);
         }
-        struct surface_view view = { .direction = rest.direction,
+        struct surface_view view = { .direction = look->ray.direction,
                                      .ior = 1,
                                      .quality = QUALITY_FOG,
                                      .bailout = least,
                                      .smooth = true };
         surface_fill(&surface, &at, &view);
-        open += left * surface_sky(&surface);
-        left *= rgb_brightness(surface_passed(&surface));
-        rest.origin = at.point;
+        open += look->left * surface_sky(&surface);
+        open += look_mirrored(look, &surface);
+        look->left *= rgb_brightness(surface_passed(&surface));
+        look->ray.origin = at.point;
     }
     return open;
+}
+
+double ambience_open(const struct ambience *ambience, const struct world *world,
+                     struct worker *worker, const struct ray *ray)
+{
+    struct look_out look = { ambience, world, worker, *ray, 1, 0 };
+    return ambience->everywhere ? 1 : fmin(look_out(&look), 1);
 }

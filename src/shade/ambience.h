@@ -30,8 +30,9 @@ struct ambience ambience_new(const struct world *world,
  * where only the ambient light of a mean surface is wanted. */
 rgb ambience_beyond(const struct ambience *ambience, vec3 direction);
 
-/* How open the scene is along the ray, 0 to 1: past what it meets of panes, and
- * 1 where it meets nothing. What glows by its ambient light is sky as well. */
+/* How open the scene is along the ray, 0 to 1: past what it meets of panes and
+ * by what mirrors show, and 1 where it meets nothing. What glows by its ambient
+ * light is sky as well. */
 double ambience_open(const struct ambience *ambience, const struct world *world,
                      struct worker *worker, const struct ray *ray);
 
