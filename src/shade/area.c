@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/random.h"
+#include "base/warp.h"
 
 /* How far POV-Ray's round grids are off, in sides (measured). */
 static const double area_shift = 0.001;
@@ -97,6 +98,21 @@ static inline void area_round(double *u, double *v)
 static inline double side_place(double x, int size)
 {
     return size > 1 ? x / (size - 1) - 0.5 : 0;
+}
+
+vec3 area_anywhere(const struct lamp *lamp, vec3 point, const double u[2])
+{
+    const struct light *light = lamp->light;
+    struct area_grid grid = area_grid_new(lamp, point, 0);
+    bool wide = light->size1 > 1, high = light->size2 > 1;
+    double x = u[0] - 0.5, y = u[1] - 0.5;
+    if (light->circular || (light->orient && wide && high)) {
+        warp_disc(u, &x, &y);
+        x /= 2;
+        y /= 2;
+    }
+    return vec3_along(vec3_along(light->location, grid.axis1, wide ? x : 0),
+                      grid.axis2, high ? y : 0);
 }
 
 /* A whole number below 2^52, and as random_unit has it, by ways that

@@ -34,6 +34,11 @@ void area_grid_refine(struct area_grid *grid);
  * points of the grid. */
 void area_grid_hull(const struct area_grid *grid, vec3 half[2]);
 
+/* A point of the whole light that the grid stands for, as `point` sees it, by
+ * two numbers in [0,1). Round lights are ellipses with the axes as diameters; a
+ * side of one point has no extent. */
+vec3 area_anywhere(const struct lamp *lamp, vec3 point, const double u[2]);
+
 /* Point (i, j) of the grid, 0 <= i < size1, 0 <= j < size2. */
 vec3 area_grid_point(const struct area_grid *grid, int i, int j);
 

@@ -54,12 +54,8 @@ bool lamps_soft(const struct lamps *lamps, const struct lamp *lamp)
 vec3 lamps_location(const struct lamps *lamps, const struct lamp *lamp,
                     vec3 point, const double u[2])
 {
-    const struct light *light = lamp->light;
-    if (!lamps_soft(lamps, lamp))
-        return light->location;
-    struct area_grid grid = area_grid_new(lamp, point, 0);
-    return area_grid_point(&grid, (int)(u[0] * light->size1),
-                           (int)(u[1] * light->size2));
+    return lamps_soft(lamps, lamp) ? area_anywhere(lamp, point, u)
+                                   : lamp->light->location;
 }
 
 /* One point looking at one lamp. */

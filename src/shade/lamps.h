@@ -95,8 +95,8 @@ static inline bool lamps_plain(const struct lamps *lamps,
     return lamps->plain && lamps_clear(lamps, lamp);
 }
 
-/* Where the lamp's light comes from: its location, or one point of an area
- * light's grid as `point` sees it, drawn by two numbers in [0,1). */
+/* Where the lamp's light comes from: its location, or of an area light a point
+ * as of area_anywhere, drawn by two numbers in [0,1). */
 vec3 lamps_location(const struct lamps *lamps, const struct lamp *lamp,
                     vec3 point, const double u[2]);
 

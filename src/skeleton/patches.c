@@ -78,10 +78,9 @@ static vec3 lamp_point(const struct lamp *lamp, vec3 point, uint64_t key)
     const struct light *light = lamp->light;
     if (!light->area || lamp_is_parallel(lamp))
         return light->location;
-    struct area_grid grid = area_grid_new(lamp, point, key);
-    int i = (int)(random_unit(random_key(key, 1)) * light->size1);
-    int j = (int)(random_unit(random_key(key, 2)) * light->size2);
-    return area_grid_point(&grid, i, j);
+    const double u[2] = { random_unit(random_key(key, 1)),
+                          random_unit(random_key(key, 2)) };
+    return area_anywhere(lamp, point, u);
 }
 
 /* Without shadows: the irradiance from all around that does as much. */

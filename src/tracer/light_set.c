@@ -4,7 +4,6 @@
 #include "tracer/light_set.h"
 
 #include "base/memory.h"
-#include "base/warp.h"
 #include "shade/area.h"
 
 static void path_finish(void *state)
@@ -50,23 +49,6 @@ static void *path_start(const struct world *world, const struct scene *scene,
     return set;
 }
 
-/* Round lights are ellipses with the axes as diameters; a side of one point
- * has no extent. */
-static vec3 area_place(const struct lamp *lamp, vec3 point, const double u[2])
-{
-    const struct light *light = lamp->light;
-    struct area_grid grid = area_grid_new(lamp, point, 0);
-    bool wide = light->size1 > 1, high = light->size2 > 1;
-    double x = u[0] - 0.5, y = u[1] - 0.5;
-    if (light->circular || (light->orient && wide && high)) {
-        warp_disc(u, &x, &y);
-        x /= 2;
-        y /= 2;
-    }
-    return vec3_along(vec3_along(light->location, grid.axis1, wide ? x : 0),
-                      grid.axis2, high ? y : 0);
-}
-
 bool light_set_look(const struct lamp *lamp, vec3 point, const double u[2],
                     struct lamp_pick *pick)
 {
@@ -74,7 +56,7 @@ bool light_set_look(const struct lamp *lamp, vec3 point, const double u[2],
     vec3 place = light->location;
     bool parallel = lamp_is_parallel(lamp);
     if (light->area)
-        place = area_place(lamp, point, u);
+        place = area_anywhere(lamp, point, u);
     bool there =
         lamp_look(lamp, parallel ? light->location : place, point, &pick->view);
     vec3 way = vec3_scale(pick->view.direction, pick->view.distance);

@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "base/warp.h"
 #include "scene/photon.h"
+#include "shade/area.h"
 
 /* A target, and what it says. */
 struct target {
@@ -188,6 +189,18 @@ struct photon_aims photon_aims_new(const struct lamps *lamps)
     return aims;
 }
 
+/* Photons are shot from the points of an area light's grid, as in POV-Ray. */
+static vec3 grid_point(const struct lamps *lamps, const struct lamp *lamp,
+                       vec3 point, const double u[2])
+{
+    const struct light *light = lamp->light;
+    if (!lamps_soft(lamps, lamp))
+        return light->location;
+    struct area_grid grid = area_grid_new(lamp, point, 0);
+    return area_grid_point(&grid, (int)(u[0] * light->size1),
+                           (int)(u[1] * light->size2));
+}
+
 static bool start_beam(const struct photon_aim *aim, const double u[2],
                        struct photon_start *start)
 {
@@ -223,7 +236,7 @@ bool photon_aim_start(const struct photon_aim *aim, const struct lamps *lamps,
     const struct light *light = aim->lamp->light;
     start->ray.direction = warp_cone(u, aim->axis, aim->rise);
     start->ray.origin = light->photons.area
-                            ? lamps_location(lamps, aim->lamp, aim->centre, v)
+                            ? grid_point(lamps, aim->lamp, aim->centre, v)
                             : light->location;
     return true;
 }
