@@ -23,6 +23,9 @@ enum {
     NARROW_MOST = 8, /* walls of gaps that one goes on from */
 };
 
+/* From there with no less of its light. */
+static const double narrow_least = 0.05;
+
 /* What is drawn of a ray. */
 enum { DRAW_WAY, DRAW_WHICH, DRAW_WHERE, DRAW_ON };
 
@@ -231,7 +234,9 @@ static void sender_shoot(const struct exchange *exchange, struct sender *sender,
     shot_aim(&shot, patch->point, patch->normal);
     shot_shine(&shot, shot_pick(&shot));
     struct sighting seen = shot_look(&shot);
-    for (int i = 0; seen.narrow && i < NARROW_MOST; i++) {
+    for (int i = 0;
+         seen.narrow && i < NARROW_MOST && rgb_peak(shot.share) > narrow_least;
+         i++) {
         shot_go_on(&shot, &seen);
         seen = shot_look(&shot);
     }
