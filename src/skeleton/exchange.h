@@ -1,7 +1,8 @@
 /* How much of what zones see is each other zone, and how much is sky, by rays
  * from their walls that are spread as light from dull walls is: the form
  * factors of radiosity (Goral, Torrance, Greenberg and Battaile, Modeling the
- * Interaction of Light Between Diffuse Surfaces, 1984), coarsely. */
+ * Interaction of Light Between Diffuse Surfaces, 1984), coarsely. What glows
+ * lights zones by these rays and by others that pick it. */
 #ifndef SKELETON_EXCHANGE_H
 #define SKELETON_EXCHANGE_H
 

@@ -199,13 +199,37 @@ static void test_drawn(void **state)
     scene_world_free(all);
 }
 
+/* Of an area light all counts that is between its grid's points: these are
+ * hidden, and three quarters of the rest are not. */
+static void test_drawn_area(void **state)
+{
+    struct scene_world *all = scene_world_new(
+        "light_source { <0, 9, 0>, 1 area_light 4*x, 4*z, 2, 2 } "
+        "box { <4/3, 7.99, -9>, <9, 8, 9> } "
+        "box { <-9, 7.99, -9>, <-4/3, 8, 9> }");
+    struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
+    struct worker worker = { .scratch = arena_new(0) };
+    const struct lit_place lit = { .normal = { 0, 1, 0 } };
+    double sum = 0;
+    enum { SAMPLES = 4096 };
+    (void)state;
+    for (uint32_t i = 0; i < SAMPLES; i++) {
+        struct draws draws = { 7, i };
+        sum += drawn_lamp_light(&lamps, &worker, &draws, 0, &lit).r;
+    }
+    assert_true(fabs(sum / SAMPLES - 0.75) < 0.01);
+    arena_free(worker.scratch);
+    lamps_free(&lamps);
+    scene_world_free(all);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_open),    cmocka_unit_test(test_room),
         cmocka_unit_test(test_outlook), cmocka_unit_test(test_afford),
         cmocka_unit_test(test_nets),    cmocka_unit_test(test_paint),
-        cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_drawn),   cmocka_unit_test(test_drawn_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
