@@ -78,7 +78,6 @@ static rgb gathering_mirrors(const struct gathering *gathering,
     for (int i = 0; i < surface->count; i++) {
         const struct surface_layer *layer = &surface->layer[i];
         rgb share = rgb_mul(layer->weight, layer->reflection);
-        vec3 in = gathering->ray.direction;
         double matters = rgb_peak(rgb_mul(share, gathering->share));
         if (matters < gather_least)
             continue;
@@ -87,14 +86,13 @@ static rgb gathering_mirrors(const struct gathering *gathering,
                              GATHER_MIRROR + (uint32_t)gathering->mirrors);
         if (count == 0)
             continue;
-        double along = vec3_dot(in, layer->normal);
         struct gathering branch = *gathering;
         branch.share = rgb_scale(share, count);
         branch.mirrors++;
         branch.met++;
         branch.ray.origin = surface->point;
-        branch.ray.direction =
-            vec3_normalise(vec3_along(in, layer->normal, -2 * along));
+        branch.ray.direction = surface_mirrored(
+            surface->normal, gathering->ray.direction, layer->normal);
         light = rgb_add(light, gathering_follow(&branch, NULL, NULL));
     }
     return light;

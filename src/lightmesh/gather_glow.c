@@ -22,8 +22,8 @@ rgb gather_balanced(const struct gather *gather, const struct ray *ray,
                     const struct gathered_ray *found)
 {
     double other = glow_density(gather, ray, found);
-    double once = isfinite(other) ? density / (density + other) : 0;
-    return rgb_add_scaled(found->light, found->glow, left * once - 1);
+    return rgb_add_scaled(found->light, found->glow,
+                          left * emitters_balance(density, other) - 1);
 }
 
 rgb gather_glow_at(const struct gather *gather, const struct ray *ray,
@@ -80,7 +80,5 @@ rgb gather_picked(const struct gather *gather, struct worker *worker,
         !gather_pick(gather, worker, surface->point, draws, 1, &found))
         return rgb_grey(0);
     double density = vec3_dot(found.direction, surface->side) / WARP_PI;
-    if (!(density > 0))
-        return rgb_grey(0);
-    return rgb_scale(found.light, density / (density + found.density));
+    return rgb_scale(found.light, emitters_balance(density, found.density));
 }

@@ -133,15 +133,14 @@ static double look_mirrored(const struct look_out *look,
     double open = 0;
     for (int i = 0; i < surface->count && look->mirrors < MIRRORS_MAX; i++) {
         const struct surface_layer *layer = &surface->layer[i];
-        const vec3 in = look->ray.direction;
         struct look_out next = *look;
         next.left *= rgb_brightness(rgb_mul(layer->weight, layer->reflection));
         if (next.left < least)
             continue;
         next.mirrors++;
         next.ray.origin = surface->point;
-        next.ray.direction = vec3_normalise(
-            vec3_along(in, layer->normal, -2 * vec3_dot(in, layer->normal)));
+        next.ray.direction = surface_mirrored(
+            surface->normal, look->ray.direction, layer->normal);
         open += look_out(&next);
     }
     return open;

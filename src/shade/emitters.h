@@ -6,6 +6,8 @@
 #ifndef SHADE_EMITTERS_H
 #define SHADE_EMITTERS_H
 
+#include <math.h>
+
 #include "world/world.h"
 
 struct emitters;
@@ -50,5 +52,13 @@ size_t emitters_shares(const struct emitters *emitters,
  * normal, which serves as well for weights. */
 double emitters_density(const struct emitters *emitters, vec3 point,
                         vec3 direction, const struct intersection *at);
+
+/* How much what was found with that density counts where another way finds it
+ * with density `other`: the balance heuristic. Nothing where the other can't
+ * miss it. */
+static inline double emitters_balance(double density, double other)
+{
+    return density > 0 && isfinite(other) ? density / (density + other) : 0;
+}
 
 #endif

@@ -15,6 +15,7 @@
 #include "base/morton.h"
 #include "base/parallel.h"
 #include "base/warp.h"
+#include "shade/emitters.h"
 #include "shade/shadow.h"
 
 enum {
@@ -64,7 +65,7 @@ static uint32_t patch_zone(const struct exchange *exchange,
                            const struct wall_patch *patch)
 {
     uint32_t piece = exchange->sight->pieces->of_voxel[patch->voxel];
-    if (exchange->sight->scene.emitters &&
+    if (sight_picks(exchange->sight) &&
         !skeleton_faces(exchange->sight->skeleton, patch->point, patch->normal))
         return ZONE_NONE;
     return piece == PIECE_NONE ? ZONE_NONE
@@ -76,11 +77,12 @@ static void exchange_sort(struct exchange *exchange, size_t zones)
 {
     const struct patches *patches = exchange->patches;
     size_t *next = memory_new((zones + 1) * sizeof *next);
+    uint32_t *zone = memory_new(patches->count * sizeof *zone);
     exchange->order = memory_new(patches->count * sizeof *exchange->order);
     for (size_t i = 0; i < patches->count; i++) {
-        uint32_t zone = patch_zone(exchange, &patches->items[i]);
-        if (zone != ZONE_NONE)
-            next[zone + 1]++;
+        zone[i] = patch_zone(exchange, &patches->items[i]);
+        if (zone[i] != ZONE_NONE)
+            next[zone[i] + 1]++;
     }
     for (size_t i = 0; i < zones; i++)
         exchange->count += next[i + 1] > 0;
@@ -93,11 +95,10 @@ static void exchange_sort(struct exchange *exchange, size_t zones)
                                                       .first = next[i],
                                                       .end = next[i + 1] };
     }
-    for (size_t i = 0; i < patches->count; i++) {
-        uint32_t zone = patch_zone(exchange, &patches->items[i]);
-        if (zone != ZONE_NONE)
-            exchange->order[next[zone]++] = (uint32_t)i;
-    }
+    for (size_t i = 0; i < patches->count; i++)
+        if (zone[i] != ZONE_NONE)
+            exchange->order[next[zone[i]]++] = (uint32_t)i;
+    memory_free(zone);
     memory_free(next);
 }
 
@@ -119,16 +120,9 @@ static struct draws patch_draws(const struct exchange *exchange,
                            morton_place(u, v) };
 }
 
-/* What glows is found by rays that go everywhere and by such that pick it, of
- * which there are as many: each counts by how likely it is (balance heuristic,
- * Veach 1997, section 9.2). */
-static double found_once(double density, double other)
-{
-    return isfinite(other) ? density / (density + other) : 0;
-}
-
 /* A ray of a patch, and where it goes on from walls that no void is before:
- * what these send is nowhere else. */
+ * what these send is nowhere else. What glows is found by such rays and by as
+ * many that pick it: each counts by how likely it is. */
 struct shot {
     const struct exchange *exchange;
     struct sender *sender;
@@ -161,8 +155,7 @@ static rgb shot_pick(const struct shot *shot)
                     draw_unit(&shot->draws, DRAW_WHICH), u, &found))
         return rgb_grey(0);
     double density = vec3_dot(found.direction, shot->normal) / WARP_PI;
-    return rgb_scale(found.glow,
-                     density > 0 ? density / (density + found.picked) : 0);
+    return rgb_scale(found.glow, emitters_balance(density, found.picked));
 }
 
 /* The ray begins above the surface, not farther along: in a corner it would be
@@ -183,7 +176,7 @@ static struct sighting shot_look(const struct shot *shot)
     struct sighting seen = sight_zone(shot->exchange->sight, &shot->ray, 0,
                                       random_key(draws->key, draws->index));
     double density = vec3_dot(shot->ray.direction, shot->normal) / WARP_PI,
-           once = found_once(density, seen.picked);
+           once = emitters_balance(density, seen.picked);
     if (seen.zone == ZONE_SKY)
         seen.beyond = rgb_add_scaled(seen.beyond, seen.glow, once - 1);
     else

@@ -33,7 +33,7 @@ struct patches_scene {
     const struct ambience *ambience;
     const struct lamp *lamps;
     size_t lamp_count;
-    const struct emitters *emitters; /* what glows; NULL while there is none */
+    const struct emitters *emitters; /* while walls find what glows; or NULL */
     uint64_t seed;
     unsigned threads;
     const atomic_int *stop; /* non-zero: leave off; NULL: never */

@@ -47,10 +47,10 @@ static void sight_glows(const struct sight *sight, const struct ray *ray,
                         struct sighting *seen)
 {
     const struct emitters *emitters = sight->scene.emitters;
-    if (!sight_may_glow(sight, at))
+    if (!emitters || !sight_may_glow(sight, at))
         return;
     seen->glow = rgb_mul(through, patches_glow(ray->direction, at));
-    if (emitters && rgb_peak(seen->glow) > 0)
+    if (rgb_peak(seen->glow) > 0)
         seen->picked =
             emitters_density(emitters, ray->origin, ray->direction, at);
 }
@@ -101,18 +101,22 @@ struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
     sight_glows(sight, ray, &at, through, &seen);
     sight_fog(sight, ray, seen.distance, &seen);
     vec3 face = vec3_against(at.face, ray->direction);
-    seen.narrow =
-        sight->scene.emitters && !skeleton_faces(skeleton, at.point, face);
-    if (seen.narrow)
-        seen.at = at;
     struct skeleton_point point =
         skeleton_find(skeleton, at.point, face, ray->origin);
+    seen.narrow = !point.faces && sight_picks(sight);
+    if (seen.narrow)
+        seen.at = at;
     if (point.node == GRAPH_NONE)
         return seen;
     uint32_t piece = sight->pieces->of_voxel[point.voxel];
     if (piece != PIECE_NONE)
         seen.zone = zone_of(piece, side_of(face));
     return seen;
+}
+
+bool sight_picks(const struct sight *sight)
+{
+    return sight->scene.emitters && emitters_any(sight->scene.emitters);
 }
 
 bool sight_pick(const struct sight *sight, vec3 point, double which,
@@ -122,7 +126,7 @@ bool sight_pick(const struct sight *sight, vec3 point, double which,
     struct intersection at;
     rgb through;
     bool wall;
-    if (!sight->scene.emitters ||
+    if (!sight_picks(sight) ||
         !emitters_pick(sight->scene.emitters, point, which, u, &pick))
         return false;
     const struct ray ray = { point, pick.direction };

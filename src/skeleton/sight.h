@@ -29,8 +29,9 @@ struct sighting {
     rgb beyond;      /* ZONE_SKY: the radiance of what is met out there */
     double clear;    /* share of a zone's light that fog lets through, */
     rgb veil;        /* and the radiance of fog before it */
-    rgb glow;        /* radiance of what is met by itself, as it arrives; it is
-                      * part of `beyond`, too */
+    /* While walls find what glows: */
+    rgb glow;      /* radiance of what is met by itself, as it arrives; it is
+                    * part of `beyond`, too */
     double picked; /* density with which sight_pick finds it, per solid angle */
     bool narrow;   /* whether it is a wall that no void is before, ... */
     struct intersection at; /* ... and where, if it is */
@@ -39,6 +40,9 @@ struct sighting {
 /* The zone that a ray meets from tmin on; `key` names its random numbers. */
 struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
                            double tmin, uint64_t key);
+
+/* Whether there is anything for sight_pick. */
+bool sight_picks(const struct sight *sight);
 
 /* Something that glows, picked for a point by numbers in [0,1). */
 struct sight_glow {

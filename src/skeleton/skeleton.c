@@ -185,13 +185,11 @@ static bool find_before(const struct skeleton *skeleton,
 {
     static const double steps[] = { 0.5, 1, 1.5 };
     double edge = skeleton->voxels->edge;
-    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++)
-        if (point_take(
-                skeleton,
-                vec3_along(point->position, point->normal, steps[i] * edge),
-                point))
-            return true;
-    return false;
+    for (size_t i = 0; i < sizeof steps / sizeof *steps && !point->faces; i++)
+        point->faces = point_take(
+            skeleton,
+            vec3_along(point->position, point->normal, steps[i] * edge), point);
+    return point->faces;
 }
 
 bool skeleton_faces(const struct skeleton *skeleton, vec3 position, vec3 normal)

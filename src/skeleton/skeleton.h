@@ -92,6 +92,7 @@ struct skeleton_point {
     vec3 normal;   /* unit, into the void; zero: of no surface */
     vec3 around;   /* a place in the void before it */
     size_t voxel;  /* that this is in; VOXEL_NONE: there is no void */
+    bool faces;    /* whether that is straight before the point */
     uint32_t node; /* the closest to that; GRAPH_NONE: there is no void */
 };
 
@@ -116,8 +117,8 @@ bool skeleton_search(const struct skeleton *skeleton, int reach,
 struct skeleton_point skeleton_find(const struct skeleton *skeleton,
                                     vec3 position, vec3 normal, vec3 from);
 
-/* Whether there is void before a surface there, not only beside it: it isn't in
- * a gap that is narrower than voxels. */
+/* Whether a point there would face void, and isn't in a gap that is narrower
+ * than voxels: as of skeleton_find. */
 bool skeleton_faces(const struct skeleton *skeleton, vec3 position,
                     vec3 normal);
 

@@ -165,8 +165,8 @@ rgb direct_lamps(const struct tracer *tracer, struct worker *worker,
 double direct_weight(const struct light_set *set, vec3 from, vec3 direction,
                      double density, const struct intersection *at)
 {
-    double other = emitters_density(set->emitters, from, direction, at);
-    return density > 0 && isfinite(other) ? density / (density + other) : 0;
+    return emitters_balance(
+        density, emitters_density(set->emitters, from, direction, at));
 }
 
 /* Light on its way back from a picked place. */

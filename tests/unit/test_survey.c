@@ -158,69 +158,86 @@ static void test_paint(void **state)
     scene_world_free(all);
 }
 
+/* A scene's lamps, and who asks them. */
+struct asked {
+    struct scene_world *all;
+    struct lamps lamps;
+    struct worker worker;
+};
+
+static struct asked asked_new(const char *text)
+{
+    struct scene_world *all = scene_world_new(text);
+    return (struct asked){ all,
+                           lamps_new(all->world, all->scene, 9, 0),
+                           { .scratch = arena_new(0) } };
+}
+
+static void asked_free(struct asked *asked)
+{
+    arena_free(asked->worker.scratch);
+    lamps_free(&asked->lamps);
+    scene_world_free(asked->all);
+}
+
+/* The mean of so many drawn lamps. */
+static rgb asked_mean(struct asked *asked, const struct lit_place *lit,
+                      uint32_t samples)
+{
+    rgb drawn = rgb_grey(0);
+    for (uint32_t i = 0; i < samples; i++) {
+        struct draws draws = { 7, i };
+        drawn = rgb_add(drawn, drawn_lamp_light(&asked->lamps, &asked->worker,
+                                                &draws, 0, lit));
+    }
+    return rgb_scale(drawn, 1.0 / samples);
+}
+
 /* In the mean the drawn lamp is all of them, behind shadows too. */
 static void test_drawn(void **state)
 {
-    struct scene_world *all = scene_world_new(
+    struct asked asked = asked_new(
         "#declare I = 0; #while (I < 40) light_source { <I - 20, 9, I / 5>, "
         "<0.1, 0.02 * I, 0.5> } #declare I = I + 1; #end "
         "box { <-9, 5, -9>, <0, 6, 9> }");
-    struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
-    struct worker worker = { .scratch = arena_new(0) };
+    const struct lamps *lamps = &asked.lamps;
     vec3 place = { 0.5, 0, 0.3 }, up = { 0, 1, 0 };
-    const struct lit_place lit = { place, up, NULL };
-    rgb all_of_them = rgb_grey(0), drawn = rgb_grey(0);
-    enum { SAMPLES = 8192 };
+    const struct lit_place lit = { .point = place, .normal = up };
+    rgb all_of_them = rgb_grey(0);
     (void)state;
-    for (size_t i = 0; i < lamps.count; i++) {
+    for (size_t i = 0; i < lamps->count; i++) {
         struct lamp_target target = { .point = place };
-        const struct lamp *lamp = &lamps.items[i];
+        const struct lamp *lamp = &lamps->items[i];
         lamp_look(lamp, lamp->light->location, place, &target.view);
         double cosine = vec3_dot(target.view.direction, up);
-        rgb share = lamps_share_point(&lamps, lamp, &worker, &target);
+        rgb share = lamps_share_point(lamps, lamp, &asked.worker, &target);
         all_of_them =
             rgb_add(all_of_them,
                     rgb_scale(rgb_mul(lamp->light->colour, share), cosine));
     }
-    for (uint32_t i = 0; i < SAMPLES; i++) {
-        struct draws draws = { 7, i };
-        drawn =
-            rgb_add(drawn, drawn_lamp_light(&lamps, &worker, &draws, 0, &lit));
-    }
+    rgb drawn = asked_mean(&asked, &lit, 8192);
     assert_true(rgb_peak(all_of_them) > 1);
-    assert_true(fabs(drawn.r / SAMPLES - all_of_them.r) < 0.02 * all_of_them.r);
-    assert_true(fabs(drawn.g / SAMPLES - all_of_them.g) < 0.02 * all_of_them.g);
-    assert_true(fabs(drawn.b / SAMPLES - all_of_them.b) < 0.02 * all_of_them.b);
+    assert_true(fabs(drawn.r - all_of_them.r) < 0.02 * all_of_them.r);
+    assert_true(fabs(drawn.g - all_of_them.g) < 0.02 * all_of_them.g);
+    assert_true(fabs(drawn.b - all_of_them.b) < 0.02 * all_of_them.b);
     struct draws draws = { 7, 0 };
-    rgb each = each_lamp_light(&lamps, &worker, &draws, 0, &lit);
+    rgb each = each_lamp_light(lamps, &asked.worker, &draws, 0, &lit);
     assert_true(rgb_peak(rgb_sub(each, all_of_them)) < 1e-9);
-    arena_free(worker.scratch);
-    lamps_free(&lamps);
-    scene_world_free(all);
+    asked_free(&asked);
 }
 
 /* Of an area light all counts that is between its grid's points: these are
  * hidden, and three quarters of the rest are not. */
 static void test_drawn_area(void **state)
 {
-    struct scene_world *all = scene_world_new(
-        "light_source { <0, 9, 0>, 1 area_light 4*x, 4*z, 2, 2 } "
-        "box { <4/3, 7.99, -9>, <9, 8, 9> } "
-        "box { <-9, 7.99, -9>, <-4/3, 8, 9> }");
-    struct lamps lamps = lamps_new(all->world, all->scene, 9, 0);
-    struct worker worker = { .scratch = arena_new(0) };
+    struct asked asked =
+        asked_new("light_source { <0, 9, 0>, 1 area_light 4*x, 4*z, 2, 2 } "
+                  "box { <4/3, 7.99, -9>, <9, 8, 9> } "
+                  "box { <-9, 7.99, -9>, <-4/3, 8, 9> }");
     const struct lit_place lit = { .normal = { 0, 1, 0 } };
-    double sum = 0;
-    enum { SAMPLES = 4096 };
     (void)state;
-    for (uint32_t i = 0; i < SAMPLES; i++) {
-        struct draws draws = { 7, i };
-        sum += drawn_lamp_light(&lamps, &worker, &draws, 0, &lit).r;
-    }
-    assert_true(fabs(sum / SAMPLES - 0.75) < 0.01);
-    arena_free(worker.scratch);
-    lamps_free(&lamps);
-    scene_world_free(all);
+    assert_true(fabs(asked_mean(&asked, &lit, 4096).r - 0.75) < 0.01);
+    asked_free(&asked);
 }
 
 int main(void)

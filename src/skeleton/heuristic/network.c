@@ -106,7 +106,7 @@ static void *network_start(const struct skeleton *skeleton)
     struct emitters *emitters = emitters_new(skeleton->world, true);
     struct patches_scene scene = {
         .world = skeleton->world,
-        .emitters = emitters_any(emitters) ? emitters : NULL,
+        .emitters = emitters,
         .ambience = &skeleton->ambience,
         .lamps = skeleton->plain_lamps,
         .lamp_count = skeleton->lamp_count,
