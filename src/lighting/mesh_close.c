@@ -1,6 +1,7 @@
 /* The closing skeleton: see mesh_close.h. */
 #include "lighting/mesh_close.h"
 
+#include "lighting/mesh_survey.h"
 #include "lightmesh/tuning.h"
 
 bool mesh_close_make(struct void_skeleton *close, const struct world *world,
@@ -11,7 +12,7 @@ bool mesh_close_make(struct void_skeleton *close, const struct world *world,
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
     struct void_skeleton_wish wish = { .resolution = CLOSE_VOXELS,
                                        .still = true,
-                                       .rays = CLOSE_RAYS,
+                                       .rays = CLOSE_RAYS * mesh_times(options),
                                        .root = root };
     *close = (struct void_skeleton){ NULL, NULL };
     if (!said->indirect.on || !said->indirect.skeleton)

@@ -3,7 +3,7 @@
 
 #include "lightmesh/tuning.h"
 
-static int virtual_times(const struct lighting_options *options)
+int mesh_times(const struct lighting_options *options)
 {
     return options->root ? CHAMBER_ANIMATED : 1;
 }
@@ -33,7 +33,7 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
     if (survey.closed && !options->numbers) {
         look = (struct survey_options){ .rays = CHAMBER_RAYS,
                                         .known = known,
-                                        .times = virtual_times(options) };
+                                        .times = mesh_times(options) };
         survey = survey_of(&gather, scene, &worker, &look);
         /* Closer, where some of the light comes in through a window. */
         look.rays = BRIGHT_RAYS;
@@ -42,7 +42,7 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
             survey = survey_of(&gather, scene, &worker, &look);
         }
     } else if (gather.onward) {
-        look.times = virtual_times(options);
+        look.times = mesh_times(options);
         survey = survey_of(&gather, scene, &worker, &look);
     }
     arena_free(worker.scratch);
@@ -59,7 +59,7 @@ void mesh_virtual_again(struct mesh_lighting *mesh,
     virtual_lights_free(mesh->virtual_lights);
     mesh->virtual_lights = NULL;
     if (frame->lit.count > 0 && frame->samples > 0)
-        mesh->virtual_lights = virtual_lights_new(
-            &frame->lit, &mesh->lamps, virtual_times(options), &worker);
+        mesh->virtual_lights = virtual_lights_new(&frame->lit, &mesh->lamps,
+                                                  mesh_times(options), &worker);
     arena_free(worker.scratch);
 }

@@ -196,8 +196,8 @@ enum {
     CHAMBER_KNOWN = 32,
     CHAMBER_WAYS = 128,   /* and at most: others are sent where these differ
                            * [blocks, courtyard], and more where that is said */
-    CHAMBER_ANIMATED = 4, /* times as many, and as many virtual lights, for the
-                           * pictures of an animation [flicker] */
+    CHAMBER_ANIMATED = 4, /* times as many, and as many virtual lights and
+                           * CLOSE_RAYS, in an animation [flicker] */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */

@@ -65,7 +65,7 @@ static uint32_t patch_zone(const struct exchange *exchange,
                            const struct wall_patch *patch)
 {
     uint32_t piece = exchange->sight->pieces->of_voxel[patch->voxel];
-    if (sight_picks(exchange->sight) &&
+    if (sight_may_pick(exchange->sight) &&
         !skeleton_faces(exchange->sight->skeleton, patch->point, patch->normal))
         return ZONE_NONE;
     return piece == PIECE_NONE ? ZONE_NONE
@@ -124,38 +124,32 @@ static struct draws patch_draws(const struct exchange *exchange,
  * what these send is nowhere else. What glows is found by such rays and by as
  * many that pick it: each counts by how likely it is. */
 struct shot {
-    const struct exchange *exchange;
-    struct sender *sender;
     const struct wall_patch *patch;
     struct draws draws;
     double area; /* that it stands for */
     rgb share;   /* what the patch gets of what comes along the ray */
     struct ray ray;
     vec3 normal; /* of what it comes from */
+    int walls;   /* that it has gone on from */
+};
+
+/* Shots of a sender that are on their way together. */
+struct volley {
+    const struct exchange *exchange;
+    struct sender *sender;
+    struct shot shots[RAY_LANES];
+    unsigned count;
 };
 
 /* So much light comes along it straight from what glows, or from walls that no
  * void is before. */
-static void shot_shine(const struct shot *shot, rgb light)
+static void shot_shine(const struct shot *shot, struct sender *sender,
+                       rgb light)
 {
-    struct sender *sender = shot->sender;
     rgb shone = rgb_scale(rgb_mul(shot->share, light), shot->area);
     sender->shone = rgb_add(sender->shone, shone);
     sender->returned = rgb_add(sender->returned,
                                rgb_mul(patch_rgb(shot->patch->albedo), shone));
-}
-
-/* The irradiance of where the ray begins by one pick of what glows. */
-static rgb shot_pick(const struct shot *shot)
-{
-    struct sight_glow found;
-    double u[2];
-    draw_pair(&shot->draws, DRAW_WHERE, u);
-    if (!sight_pick(shot->exchange->sight, shot->ray.origin,
-                    draw_unit(&shot->draws, DRAW_WHICH), u, &found))
-        return rgb_grey(0);
-    double density = vec3_dot(found.direction, shot->normal) / WARP_PI;
-    return rgb_scale(found.glow, emitters_balance(density, found.picked));
 }
 
 /* The ray begins above the surface, not farther along: in a corner it would be
@@ -169,25 +163,61 @@ static void shot_aim(struct shot *shot, vec3 point, vec3 normal)
                               warp_lobe(u, normal, 1) };
 }
 
-/* What the ray meets; what glows there counts. */
-static struct sighting shot_look(const struct shot *shot)
+/* What glows lights the places where they begin, by one pick each. */
+static void volley_pick(const struct volley *volley)
 {
-    const struct draws *draws = &shot->draws;
-    struct sighting seen = sight_zone(shot->exchange->sight, &shot->ray, 0,
-                                      random_key(draws->key, draws->index));
+    struct sight_pick picks[RAY_LANES];
+    if (!sight_may_pick(volley->exchange->sight))
+        return;
+    for (unsigned i = 0; i < volley->count; i++) {
+        const struct shot *shot = &volley->shots[i];
+        picks[i].point = shot->ray.origin;
+        picks[i].which = draw_unit(&shot->draws, DRAW_WHICH);
+        draw_pair(&shot->draws, DRAW_WHERE, picks[i].where);
+    }
+    sight_picks(volley->exchange->sight, picks, volley->count);
+    for (unsigned i = 0; i < volley->count; i++) {
+        const struct shot *shot = &volley->shots[i];
+        if (!(rgb_peak(picks[i].glow) > 0))
+            continue;
+        double density = vec3_dot(picks[i].direction, shot->normal) / WARP_PI;
+        shot_shine(shot, volley->sender,
+                   rgb_scale(picks[i].glow,
+                             emitters_balance(density, picks[i].picked)));
+    }
+}
+
+/* What they meet. */
+static void volley_look(const struct volley *volley,
+                        struct sighting seen[RAY_LANES])
+{
+    struct rays rays;
+    uint64_t keys[RAY_LANES];
+    for (unsigned i = 0; i < volley->count; i++) {
+        const struct shot *shot = &volley->shots[i];
+        rays_set(&rays, (int)i, shot->ray.origin, shot->ray.direction);
+        keys[i] = random_key(shot->draws.key, shot->draws.index);
+    }
+    sight_zones(volley->exchange->sight, &rays, volley->count, keys, seen);
+}
+
+/* What glows where the ray ends counts. */
+static void shot_glow(const struct shot *shot, struct sender *sender,
+                      struct sighting *seen)
+{
     double density = vec3_dot(shot->ray.direction, shot->normal) / WARP_PI,
-           once = emitters_balance(density, seen.picked);
-    if (seen.zone == ZONE_SKY)
-        seen.beyond = rgb_add_scaled(seen.beyond, seen.glow, once - 1);
+           once = emitters_balance(density, seen->picked);
+    if (seen->zone == ZONE_SKY)
+        seen->beyond = rgb_add_scaled(seen->beyond, seen->glow, once - 1);
     else
-        shot_shine(shot, rgb_scale(seen.glow, once));
-    return seen;
+        shot_shine(shot, sender, rgb_scale(seen->glow, once));
 }
 
 /* From a wall that no void is before. */
-static void shot_go_on(struct shot *shot, const struct sighting *seen)
+static void shot_go_on(struct shot *shot, const struct volley *volley,
+                       const struct sighting *seen)
 {
-    const struct patches_scene *scene = &shot->exchange->sight->scene;
+    const struct patches_scene *scene = &volley->exchange->sight->scene;
     const vec3 way = shot->ray.direction;
     rgb albedo;
     rgb lit =
@@ -195,14 +225,15 @@ static void shot_go_on(struct shot *shot, const struct sighting *seen)
                     random_key(shot->draws.key, shot->draws.index), &albedo);
     shot->share = rgb_scale(rgb_mul(shot->share, albedo), seen->clear);
     shot->draws = draws_within(&shot->draws, DRAW_ON);
+    shot->walls++;
     shot_aim(shot, seen->at.point, vec3_against(seen->at.face, way));
-    shot_shine(shot, rgb_add(lit, shot_pick(shot)));
+    shot_shine(shot, volley->sender, lit);
 }
 
 /* What is lost on the way is as if it went to a black sky. */
-static void shot_end(const struct shot *shot, const struct sighting *seen)
+static void shot_end(const struct shot *shot, struct sender *sender,
+                     const struct sighting *seen)
 {
-    struct sender *sender = shot->sender;
     bool sky = seen->zone == ZONE_SKY;
     double left =
         sky ? 0 : shot->area * seen->clear * rgb_brightness(shot->share);
@@ -214,32 +245,47 @@ static void shot_end(const struct shot *shot, const struct sighting *seen)
         shot->area);
 }
 
-static void sender_shoot(const struct exchange *exchange, struct sender *sender,
-                         const struct wall_patch *patch,
-                         const struct draws *draws)
+/* All the way. */
+static void volley_fly(struct volley *volley)
 {
-    struct shot shot = { .exchange = exchange,
-                         .sender = sender,
-                         .patch = patch,
-                         .draws = *draws,
-                         .area = (double)patch->area / sender->each,
-                         .share = rgb_grey(1) };
-    shot_aim(&shot, patch->point, patch->normal);
-    shot_shine(&shot, shot_pick(&shot));
-    struct sighting seen = shot_look(&shot);
-    for (int i = 0;
-         seen.narrow && i < NARROW_MOST && rgb_peak(shot.share) > narrow_least;
-         i++) {
-        shot_go_on(&shot, &seen);
-        seen = shot_look(&shot);
+    struct sighting seen[RAY_LANES];
+    while (volley->count > 0) {
+        unsigned on = 0;
+        volley_pick(volley);
+        volley_look(volley, seen);
+        for (unsigned i = 0; i < volley->count; i++) {
+            struct shot *shot = &volley->shots[i];
+            shot_glow(shot, volley->sender, &seen[i]);
+            if (seen[i].narrow && shot->walls < NARROW_MOST &&
+                rgb_peak(shot->share) > narrow_least) {
+                shot_go_on(shot, volley, &seen[i]);
+                volley->shots[on++] = *shot;
+            } else {
+                shot_end(shot, volley->sender, &seen[i]);
+            }
+        }
+        volley->count = on;
     }
-    shot_end(&shot, &seen);
+}
+
+static void volley_add(struct volley *volley, const struct wall_patch *patch,
+                       const struct draws *draws)
+{
+    struct shot *shot = &volley->shots[volley->count++];
+    *shot = (struct shot){ .patch = patch,
+                           .draws = *draws,
+                           .area = (double)patch->area / volley->sender->each,
+                           .share = rgb_grey(1) };
+    shot_aim(shot, patch->point, patch->normal);
+    if (volley->count == RAY_LANES)
+        volley_fly(volley);
 }
 
 /* The rays of a patch; returns the area for which they stand. */
-static double sender_send(const struct exchange *exchange,
-                          struct sender *sender, const struct wall_patch *patch)
+static double volley_send(struct volley *volley, const struct wall_patch *patch)
 {
+    const struct exchange *exchange = volley->exchange;
+    const struct sender *sender = volley->sender;
     struct draws draws = patch_draws(exchange, patch);
     if (!sender->all) {
         if (draws.index % exchange->every > 0)
@@ -248,7 +294,7 @@ static double sender_send(const struct exchange *exchange,
     }
     draws.index *= sender->each;
     for (uint32_t i = 0; i < sender->each; i++, draws.index++)
-        sender_shoot(exchange, sender, patch, &draws);
+        volley_add(volley, patch, &draws);
     return (double)patch->area;
 }
 
@@ -264,12 +310,17 @@ static void sender_look(void *context, size_t number, unsigned thread)
 {
     const struct exchange *exchange = context;
     struct sender *sender = &exchange->senders[number];
+    struct volley volley; /* of its shots no more is set than is read */
     double sent = 0;
     (void)thread;
+    volley.exchange = exchange;
+    volley.sender = sender;
+    volley.count = 0;
     sender->met = memory_new((sender->end - sender->first) * sender->each *
                              sizeof *sender->met);
     for (size_t i = sender->first; i < sender->end; i++)
-        sent += sender_send(exchange, sender, patch_at(exchange, i));
+        sent += volley_send(&volley, patch_at(exchange, i));
+    volley_fly(&volley);
     double scale = sent > 0 ? sender->area / sent : 0;
     for (size_t i = 0; i < sender->rays; i++)
         sender->met[i].area *= scale;

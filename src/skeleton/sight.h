@@ -30,10 +30,11 @@ struct sighting {
     double clear;    /* share of a zone's light that fog lets through, */
     rgb veil;        /* and the radiance of fog before it */
     /* While walls find what glows: */
-    rgb glow;      /* radiance of what is met by itself, as it arrives; it is
-                    * part of `beyond`, too */
-    double picked; /* density with which sight_pick finds it, per solid angle */
-    bool narrow;   /* whether it is a wall that no void is before, ... */
+    rgb glow; /* radiance of what is met by itself, as it arrives; it is
+               * part of `beyond`, too */
+    double
+        picked;  /* density with which sight_picks finds it, per solid angle */
+    bool narrow; /* whether it is a wall that no void is before, ... */
     struct intersection at; /* ... and where, if it is */
 };
 
@@ -41,18 +42,26 @@ struct sighting {
 struct sighting sight_zone(const struct sight *sight, const struct ray *ray,
                            double tmin, uint64_t key);
 
-/* Whether there is anything for sight_pick. */
-bool sight_picks(const struct sight *sight);
+/* The same from 0 on of the first `count` of them, which are quicker together;
+ * the other rays are changed. */
+void sight_zones(const struct sight *sight, struct rays *rays, unsigned count,
+                 const uint64_t *keys, struct sighting *seen);
 
-/* Something that glows, picked for a point by numbers in [0,1). */
-struct sight_glow {
-    vec3 direction; /* unit, from the point */
-    rgb glow;       /* radiance that arrives */
-    double picked;  /* density, as of a sighting */
+/* Whether there is anything for sight_picks. */
+bool sight_may_pick(const struct sight *sight);
+
+/* Something that glows, picked for a point. */
+struct sight_pick {
+    vec3 point;
+    double which, where[2]; /* numbers in [0,1) by which it is picked */
+    vec3 direction;         /* unit, from the point */
+    rgb glow;               /* radiance that arrives; 0: nothing is picked, or
+                             * something else is in the way */
+    double picked;          /* density, as of a sighting */
 };
 
-/* Into *found; false if nothing is picked, or something else is in the way. */
-bool sight_pick(const struct sight *sight, vec3 point, double which,
-                const double u[2], struct sight_glow *found);
+/* Up to RAY_LANES of them, if sight_may_pick: fills in what isn't given. */
+void sight_picks(const struct sight *sight, struct sight_pick *picks,
+                 unsigned count);
 
 #endif
