@@ -174,7 +174,17 @@ static void object_leave_out(struct parser *p, struct object **out,
     *out = object_empty(p, span);
 }
 
-/* A shape that POV-Ray only warns about is left out of the picture. */
+static void object_remark(struct parser *p, const struct object *object,
+                          const struct primitive *primitive)
+{
+    const char *remark =
+        primitive->remark ? primitive->remark(object->shape) : NULL;
+    if (remark)
+        warning_at(p, object->span, NULL, "'%s': %s", primitive->name, remark);
+}
+
+/* A shape that POV-Ray only warns about is left out of the picture, or isn't.
+ */
 static bool object_prepare(struct parser *p, struct object **out,
                            const struct primitive *primitive, void *shape)
 {
@@ -186,10 +196,12 @@ static bool object_prepare(struct parser *p, struct object **out,
     if (problem)
         return error_at(p, span, NULL, "impossible '%s': %s", primitive->name,
                         problem);
-    if (warning)
+    if (warning) {
         object_leave_out(p, out, warning);
-    else
-        object_settle(p->scene_arena, *out);
+        return true;
+    }
+    object_remark(p, *out, primitive);
+    object_settle(p->scene_arena, *out);
     return true;
 }
 

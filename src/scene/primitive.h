@@ -43,6 +43,9 @@ struct primitive {
      * the scene. */
     const char *(*prepare)(void *shape, struct arena *arena,
                            const char **warning);
+    /* What is warned of, as by POV-Ray, though the shape is drawn; the callback
+     * or what it returns NULL: nothing. */
+    const char *(*remark)(const void *shape);
     /* Whether POV-Ray sees it in intersections and differences alone, as a
      * sphere whose radius is negative; NULL: no. */
     bool (*unseen)(const void *shape);

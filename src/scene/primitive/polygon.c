@@ -16,6 +16,7 @@ struct polygon {
     struct edge *edges;
     size_t edge_count;
     struct box3 bounds;
+    bool open; /* its last outline, as the scene has it */
 };
 
 static const struct field polygon_arguments[] = {
@@ -98,6 +99,7 @@ static void polygon_make_edges(struct polygon *polygon, struct arena *arena)
             continue;
         start = ++i; /* the next outline begins after the closing point */
     }
+    polygon->open = start + 1 < count;
     if (start < count)
         polygon_add_edge(polygon, p[count - 1], p[start]);
 }
@@ -122,6 +124,14 @@ static const char *polygon_prepare(void *shape, struct arena *arena,
     polygon_project(polygon);
     polygon_make_edges(polygon, arena);
     return NULL;
+}
+
+static const char *polygon_remark(const void *shape)
+{
+    const struct polygon *polygon = shape;
+    return polygon->open ? "its last point is not its first; a line to that "
+                           "closes it"
+                         : NULL;
 }
 
 static struct box3 polygon_bounds(const void *shape)
@@ -228,6 +238,7 @@ const struct primitive polygon_primitive = {
     .arguments = polygon_arguments,
     .bounded = BOUNDS_IGNORED,
     .prepare = polygon_prepare,
+    .remark = polygon_remark,
     .bounds = polygon_bounds,
     .intersect = polygon_intersect,
     .normal = polygon_normal,
