@@ -22,8 +22,7 @@ struct bright {
         vec3 normal;  /* unit, along an axis, to where its light goes */
         double worth; /* of being aimed at, up to 1: in an animation discs come
                        * and go by and by */
-        double brought; /* of lit cells: share of what lamps' light brings, */
-        double seen_at; /* and from how far, units, mean */
+        double brought; /* of lit cells: share of what lamps' light brings */
     } at[BRIGHT_MOST];
 };
 

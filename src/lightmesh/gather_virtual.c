@@ -24,11 +24,9 @@ struct picked {
     unsigned count;
 };
 
-/* Those of up to RAY_LANES that nothing stands before. `lights` are the
- * part's. */
+/* Those of up to RAY_LANES that nothing stands before. */
 static unsigned picks_look(const struct gather *gather, struct worker *worker,
-                           vec3 place, const struct virtual_light *lights,
-                           const struct picked *picked,
+                           vec3 place, const struct picked *picked,
                            struct gathered_glow *found)
 {
     const unsigned count = picked->count;
@@ -39,14 +37,12 @@ static unsigned picks_look(const struct gather *gather, struct worker *worker,
     unsigned met = 0;
     for (unsigned i = 0; i < count; i++) {
         const struct virtual_pick *pick = &picked->picks[i];
-        const struct virtual_light *light =
-            &lights[pick->number * GATHER_PARTS];
         double distance;
-        seen[i] = virtual_look(light, place, &distance);
+        seen[i] = virtual_look(pick->light, place, &distance);
         seen[i].density *= pick->often;
         rays_set(&rays, (int)i, place, seen[i].direction);
         span.near[i] = surface_offset(place);
-        span.far[i] = distance - surface_offset(light->point);
+        span.far[i] = distance - surface_offset(pick->light->point);
     }
     rays_fill(&rays, &span, count);
     worker->counters.shadow_rays += count;
@@ -71,9 +67,7 @@ unsigned gather_virtual(const struct gather *gather, struct worker *worker,
         const struct picked picked = { picks + first, left < RAY_LANES
                                                           ? (unsigned)left
                                                           : RAY_LANES };
-        met +=
-            picks_look(gather, worker, place, gather->virtual_lights->at + part,
-                       &picked, found + met);
+        met += picks_look(gather, worker, place, &picked, found + met);
     }
     return met;
 }

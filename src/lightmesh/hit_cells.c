@@ -150,8 +150,6 @@ size_t hit_cells_join(struct hit_cell *cells, const struct bright_hit *hits,
                                       .along = along,
                                       .light = hits[i].light,
                                       .lamps = hits[i].lamps };
-        if (hits[i].lamps > 0)
-            cells[i].far = hits[i].lamps * hits[i].distance;
     }
     qsort(cells, count, sizeof *cells, cell_place_order);
     for (size_t i = 0; i < count; i++) {
@@ -168,7 +166,6 @@ size_t hit_cells_join(struct hit_cell *cells, const struct bright_hit *hits,
         last->along += cells[i].along;
         last->light += cells[i].light;
         last->lamps += cells[i].lamps;
-        last->far += cells[i].far;
     }
     return joined;
 }

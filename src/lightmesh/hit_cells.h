@@ -37,8 +37,7 @@ struct hit_cell {
     int at[3], facing; /* side.h */
     int count;
     double along;        /* the axis that it faces; their sum, as are */
-    double light, lamps; /* those of the hits, */
-    double far;          /* and lamps times the distance */
+    double light, lamps; /* those of the hits */
 };
 
 /* Joins so many hits to cells of that side, in an order of places; returns how

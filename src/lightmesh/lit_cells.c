@@ -31,10 +31,10 @@ static double lit_choose(struct bright *lit, struct hit_cell *cells,
         double worth = bright_beyond(cell->lamps, rest);
         if (!(worth > 0))
             continue;
-        lit->at[lit->count++] = (struct bright_disc){
-            hit_cell_centre(cell, side), side_normal(cell->facing), worth,
-            cell->lamps / total, cell->far / cell->lamps
-        };
+        lit->at[lit->count++] =
+            (struct bright_disc){ hit_cell_centre(cell, side),
+                                  side_normal(cell->facing), worth,
+                                  cell->lamps / total };
         taken += cell->lamps;
     }
     return taken / total;

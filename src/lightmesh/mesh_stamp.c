@@ -190,9 +190,8 @@ static double *discs_put(const struct bright *bright, double *to)
     for (int i = 0; i < bright->count; i++, to += FRAME_DISC_NUMBERS) {
         const struct bright_disc *disc = &bright->at[i];
         const double numbers[FRAME_DISC_NUMBERS] = {
-            disc->centre.x, disc->centre.y, disc->centre.z,
-            disc->normal.x, disc->normal.y, disc->normal.z,
-            disc->worth,    disc->brought,  disc->seen_at
+            disc->centre.x, disc->centre.y, disc->centre.z, disc->normal.x,
+            disc->normal.y, disc->normal.z, disc->worth,    disc->brought
         };
         memcpy(to, numbers, sizeof numbers);
     }
@@ -208,15 +207,13 @@ static const double *discs_take(struct bright *bright, double count,
         bright->at[i] = (struct bright_disc){ { from[0], from[1], from[2] },
                                               { from[3], from[4], from[5] },
                                               from[6],
-                                              from[7],
-                                              from[8] };
+                                              from[7] };
     return from;
 }
 
 static bool disc_possible(const struct bright_disc *disc)
 {
-    return disc->worth > 0 && disc->brought >= 0 && disc->brought <= 1 &&
-           disc->seen_at >= 0;
+    return disc->worth > 0 && disc->brought >= 0 && disc->brought <= 1;
 }
 
 static bool discs_possible(const struct bright *bright)
@@ -262,8 +259,8 @@ void mesh_frame_take(struct mesh_frame *frame,
         .samples = (int)fmin(fmax(n[11], 0), 1e6),
         .asked = (int)fmin(fmax(n[12], 0), 1e6),
         .edged = (int)fmin(fmax(n[20], 0), 1e6),
-        .picks = (int)fmin(fmax(n[23], 0), VIRTUAL_PICKS_MOST),
-        .glow_picks = (int)fmin(fmax(n[24], 0), VIRTUAL_PICKS_MOST),
+        .picks = (int)fmin(fmax(n[23], 0), VIRTUAL_PICKS_USUAL),
+        .glow_picks = (int)fmin(fmax(n[24], 0), VIRTUAL_PICKS_USUAL),
         .closed = n[13] > 0,
         .around = { { n[14], n[15], n[16] }, n[17] },
     };

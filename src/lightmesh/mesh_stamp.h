@@ -8,7 +8,7 @@
 
 /* To be changed with whatever changes what mesh points hold or where they are:
  * meshes of another glim are then refused. */
-enum { MESH_VERSION = 19 };
+enum { MESH_VERSION = 20 };
 
 enum { MESH_SETTINGS_SIZE = 1024 };
 
@@ -38,7 +38,7 @@ struct mesh_frame {
 /* All of it as numbers, for files and hashes. */
 enum {
     FRAME_OWN_NUMBERS = 25,
-    FRAME_DISC_NUMBERS = 9,
+    FRAME_DISC_NUMBERS = 8,
     MESH_FRAME_NUMBERS =
         FRAME_OWN_NUMBERS + 2 * FRAME_DISC_NUMBERS * BRIGHT_MOST
 };

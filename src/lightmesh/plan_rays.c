@@ -65,7 +65,7 @@ static int picks_for(const struct light_mesh_settings *said, double rough,
 {
     double finer = plan_finer(said), wanted = rays_for(rough, noise_for(times));
     wanted = fmin(fmax(wanted, PICKS_LEAST), most) * times * finer * finer;
-    return rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_MOST));
+    return rays_within(sqrt(2) * fmin(wanted, VIRTUAL_PICKS_USUAL));
 }
 
 int plan_picks(const struct light_mesh_settings *said,

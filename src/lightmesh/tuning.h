@@ -196,8 +196,8 @@ enum {
     CHAMBER_KNOWN = 32,
     CHAMBER_WAYS = 128,   /* and at most: others are sent where these differ
                            * [blocks, courtyard], and more where that is said */
-    CHAMBER_ANIMATED = 4, /* times as many, and as many virtual lights and
-                           * CLOSE_RAYS, in an animation [flicker] */
+    CHAMBER_ANIMATED = 4, /* times as many, and as many picks and CLOSE_RAYS,
+                           * in an animation [flicker] */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */
@@ -321,11 +321,9 @@ static const double bright_wall = 1e-3; /* of that its walls are off */
 
 /* Virtual lights [room, thinwall]. */
 enum {
-    VIRTUAL_LEAST = 32,     /* of each part, at least, */
-    VIRTUAL_MOST = 256,     /* and at most */
     VIRTUAL_EDGE_LEAST = 4, /* rays along the edge of a cell that look at it, at
                              * least, */
-    VIRTUAL_RAYS = 8192,    /* and about so many in all, where there is light */
+    VIRTUAL_RAYS = 4096,    /* and about so many in all, where there is light */
 };
 enum {
     SURVEY_PICKS = 16,   /* that tell how many a point needs: */
@@ -338,8 +336,6 @@ static const double virtual_worth = 0.05; /* share of all light, to be worth any
 static const double virtual_unseen = 1e-3; /* a cell of which a survey saw
                                             * nothing is about that share of
                                             * all that is brought */
-static const double virtual_apart = 0.25;  /* from each other, share of how far
-                                            * they are from what they light */
 static const double virtual_near = 1.2;    /* of their distance from each other:
                                             * what is nearer gather rays bring */
 

@@ -1,25 +1,13 @@
 /* Virtual lights: see virtual_lights.h. */
 #include "lightmesh/virtual_lights.h"
 
+#include "base/draw.h"
 #include "base/memory.h"
 #include "base/side.h"
 #include "base/smooth.h"
 #include "lightmesh/gather_ways.h"
 #include "lightmesh/tuning.h"
 #include "lightmesh/virtual_samples.h"
-
-/* Lit places in all cells, those of one cell together. */
-struct samples {
-    struct virtual_light *at;
-    size_t count, room;
-    double brought; /* by all cells that are lit */
-    double wanted;  /* lights of a part */
-    struct cell_samples {
-        size_t count;
-        double power; /* in all */
-        double step;  /* units, between rays */
-    } of[VIRTUAL_SLOTS];
-};
 
 _Static_assert(9 * BRIGHT_MOST < VIRTUAL_SLOTS, "a slot is always free");
 
@@ -44,10 +32,8 @@ static struct virtual_cell *cell_add(struct virtual_lights *lights, vec3 place,
             .middle = cell_middle(place, facing, lights->side),
             .facing = facing,
             .brought = virtual_unseen,
-            .seen_at = disc->seen_at,
         };
     cell->worth = fmax(cell->worth, disc->worth);
-    cell->seen_at = fmin(cell->seen_at, disc->seen_at);
     return cell;
 }
 
@@ -104,179 +90,186 @@ static double samples_area(const struct virtual_light *at, size_t count)
 }
 
 /* A first look into all cells: what nothing lights is left out. */
-static void samples_begin(struct samples *samples,
-                          struct virtual_lights *lights,
-                          const struct lamps *lamps, struct worker *worker)
+static void cells_begin(struct virtual_lights *lights,
+                        const struct lamps *lamps, struct worker *worker)
 {
     struct virtual_light
         found[VIRTUAL_LAYERS * VIRTUAL_EDGE_LEAST * VIRTUAL_EDGE_LEAST];
-    for (int i = 0; i < VIRTUAL_SLOTS; i++) {
+    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
         struct virtual_cell *cell = &lights->cell[i];
         if (!cell->key)
             continue;
         size_t count = virtual_samples_of(lamps, worker, cell, lights->side,
                                           VIRTUAL_EDGE_LEAST, found);
-        samples->of[i].power = samples_power(found, count);
-        if (samples->of[i].power > 0)
-            samples->brought += cell->brought;
-        else
+        if (!(samples_power(found, count) > 0))
             cell->worth = 0;
     }
 }
 
 /* How many rays along an edge look at a cell: the more, the more it brings. */
-static unsigned cell_edge(double share)
+static unsigned cell_edge(const struct virtual_lights *lights, double share)
 {
+    const double rays =
+        (lights->last ? CHAMBER_ANIMATED : 1) * VIRTUAL_RAYS * share;
     unsigned edge = VIRTUAL_EDGE_LEAST;
-    while (edge < VIRTUAL_EDGE_MOST && 2 * edge * edge <= VIRTUAL_RAYS * share)
+    while (edge < VIRTUAL_EDGE_MOST && 2 * edge * edge <= rays)
         edge *= 2;
     return edge;
 }
 
-static struct virtual_light *samples_room(struct samples *samples)
+/* A closer look into all cells. */
+struct looking {
+    const struct lamps *lamps;
+    struct worker *worker;
+    double brought; /* by all cells */
+    size_t room;    /* for lights */
+    uint32_t rays;  /* that were sent, lit or not */
+};
+
+static struct virtual_light *lights_room(struct virtual_lights *lights,
+                                         size_t *room)
 {
-    if (samples->room - samples->count < VIRTUAL_SAMPLES_MOST) {
-        samples->room = 2 * samples->room + VIRTUAL_SAMPLES_MOST;
-        samples->at =
-            memory_resize(samples->at, samples->room * sizeof *samples->at);
+    if (*room - lights->count < VIRTUAL_SAMPLES_MOST) {
+        *room = 2 * *room + VIRTUAL_SAMPLES_MOST;
+        lights->at = memory_resize(lights->at, *room * sizeof *lights->at);
     }
-    return samples->at + samples->count;
+    return lights->at + lights->count;
 }
 
-/* A closer look into each. */
-static void samples_look(struct samples *samples,
-                         const struct virtual_lights *lights,
-                         const struct lamps *lamps, struct worker *worker)
+static unsigned light_part(const struct virtual_light *light)
 {
-    double side = lights->side, all = samples->brought;
-    samples->brought = 0;
-    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
-        const struct virtual_cell *cell = &lights->cell[i];
-        struct cell_samples *of = &samples->of[i];
-        if (!(of->power > 0))
-            continue;
-        struct virtual_light *at = samples_room(samples);
-        unsigned edge = cell_edge(cell->brought / all);
-        of->count = virtual_samples_of(lamps, worker, cell, side, edge, at);
-        of->power = samples_power(at, of->count);
-        of->step = side / edge;
-        samples->count += of->count;
-        samples->brought += of->power > 0 ? cell->brought : 0;
-        double apart = virtual_apart * cell->seen_at;
-        samples->wanted += samples_area(at, of->count) / (apart * apart);
-    }
+    return light->number % GATHER_PARTS;
 }
 
-static void lanes_set(struct virtual_lanes *lanes, int i,
+/* A closer look into a cell: each ray of the grid into it that finds light is
+ * one, of the part that its number says. */
+static void cell_look(struct virtual_lights *lights, struct virtual_cell *cell,
+                      struct looking *looking)
+{
+    struct virtual_light *at = lights_room(lights, &looking->room);
+    unsigned edge = cell_edge(lights, cell->brought / looking->brought);
+    uint32_t before = looking->rays;
+    size_t count = virtual_samples_of(looking->lamps, looking->worker, cell,
+                                      lights->side, edge, at);
+    looking->rays += edge * edge;
+    if (!(samples_power(at, count) > 0)) {
+        cell->worth = 0;
+        return;
+    }
+    double area = GATHER_PARTS * samples_area(at, count) / (double)count;
+    cell->near = virtual_near * sqrt(area);
+    for (size_t i = 0; i < count; i++) {
+        const struct draws draws = { random_key(looking->lamps->seed,
+                                                light_part(&at[i])),
+                                     (before + at[i].number) / GATHER_PARTS };
+        at[i].chance = draw_unit(&draws, 0);
+        at[i].near = cell->near;
+        at[i].area *= GATHER_PARTS;
+    }
+    lights->count += count;
+}
+
+static void lanes_new(struct virtual_lanes *lanes, int room)
+{
+    double *rows = memory_new((size_t)room * VIRTUAL_ROWS * sizeof *rows);
+    for (int i = 0; i < VIRTUAL_ROWS; i++)
+        lanes->row[i] = rows + (size_t)i * (size_t)room;
+    lanes->light = memory_new((size_t)room * sizeof *lanes->light);
+    lanes->count = 0;
+}
+
+static void lanes_add(struct virtual_lanes *lanes,
                       const struct virtual_light *light)
 {
+    int i = lanes->count++;
     for (int axis = 0; axis < 3; axis++) {
-        lanes->place[axis][i] = vec3_component(light->point, axis);
-        lanes->normal[axis][i] = vec3_component(light->normal, axis);
+        lanes->row[VIRTUAL_PLACE + axis][i] =
+            vec3_component(light->point, axis);
+        lanes->row[VIRTUAL_NORMAL + axis][i] =
+            vec3_component(light->normal, axis);
     }
-    lanes->power[i] = light_power(light);
-    lanes->near[i] = light->near;
+    lanes->row[VIRTUAL_POWER][i] = light_power(light);
+    lanes->row[VIRTUAL_NEAR][i] = light->near;
+    lanes->light[i] = light;
 }
 
-/* So many of a cell for each part, all of the same power, evenly along the
- * curve. What moves in another cell changes none of them. */
-static void cell_take(struct virtual_lights *lights,
-                      const struct virtual_cell *cell,
-                      const struct cell_samples *of,
-                      const struct virtual_light *samples, int each_part)
+static void lights_part(struct virtual_lights *lights)
 {
-    int count = each_part * GATHER_PARTS, next = 0;
-    struct virtual_light *at = &lights->at[lights->count * GATHER_PARTS];
-    double each = of->power / count, sum = 0;
-    for (size_t i = 0; i < of->count && next < count; i++) {
-        sum += light_power(&samples[i]);
-        for (; next < count && sum > (next + 0.5) * each; next++) {
-            at[next] = samples[i];
-            at[next].near = cell->near;
-            at[next].area =
-                each * GATHER_PARTS / virtual_light_amount(samples[i].light);
-        }
-    }
-    lights->count += next / GATHER_PARTS;
-}
-
-/* About so many for each part. */
-static void lights_take(struct virtual_lights *lights,
-                        const struct samples *samples, double wanted)
-{
-    const struct virtual_light *at = samples->at;
-    lights->at = memory_new(VIRTUAL_LANES * GATHER_PARTS * sizeof *lights->at);
-    for (int i = 0; i < VIRTUAL_SLOTS; i++) {
-        const struct cell_samples *of = &samples->of[i];
-        struct virtual_cell *cell = &lights->cell[i];
-        double area = samples_area(at, of->count);
-        double each_part =
-            fmax(round(wanted * cell->brought / samples->brought), 1);
-        cell->near = virtual_near * fmax(sqrt(area / each_part), of->step);
-        if (of->power > 0)
-            cell_take(lights, cell, of, at, (int)each_part);
-        else
-            cell->worth = 0;
-        at += of->count;
-    }
-    lights->lanes = memory_new(GATHER_PARTS * sizeof *lights->lanes);
-    for (int i = 0; i < lights->count * GATHER_PARTS; i++)
-        lanes_set(&lights->lanes[i % GATHER_PARTS], i / GATHER_PARTS,
-                  &lights->at[i]);
-}
-
-static void lights_choose(struct virtual_lights *lights,
-                          const struct samples *samples, int times)
-{
-    double wanted =
-        times * fmin(fmax(samples->wanted, VIRTUAL_LEAST), VIRTUAL_MOST);
-    if (samples->brought > 0)
-        lights_take(lights, samples, wanted);
+    int count[GATHER_PARTS] = { 0 };
+    for (size_t i = 0; i < lights->count; i++)
+        count[light_part(&lights->at[i])]++;
+    for (int part = 0; part < GATHER_PARTS; part++)
+        lanes_new(&lights->lanes[part], count[part]);
+    for (size_t i = 0; i < lights->count; i++)
+        lanes_add(&lights->lanes[light_part(&lights->at[i])], &lights->at[i]);
 }
 
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
-                                          const struct lamps *lamps, int times,
+                                          const struct lamps *lamps, bool last,
                                           struct worker *worker)
 {
     struct virtual_lights *lights = memory_new(sizeof *lights);
-    struct samples *samples = memory_new(sizeof *samples);
+    struct looking looking = { .lamps = lamps, .worker = worker };
+    lights->last = last;
     lights->side = bright_side(lit);
-    for (int i = 0; i < lit->count; i++)
+    for (int i = 0; i < lit->count; i++) {
         cells_around(lights, &lit->at[i]);
-    samples_begin(samples, lights, lamps, worker);
-    samples_look(samples, lights, lamps, worker);
-    lights_choose(lights, samples, times);
-    memory_free(samples->at);
-    memory_free(samples);
+        looking.brought += lit->at[i].brought;
+    }
+    cells_begin(lights, lamps, worker);
+    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
+        struct virtual_cell *cell = &lights->cell[i];
+        if (cell->worth > 0)
+            cell_look(lights, cell, &looking);
+    }
+    lights_part(lights);
     return lights;
 }
 
 void virtual_lights_free(struct virtual_lights *lights)
 {
-    if (lights) {
-        memory_free(lights->at);
-        memory_free(lights->lanes);
+    for (int part = 0; lights && part < GATHER_PARTS; part++) {
+        memory_free(lights->lanes[part].row[0]);
+        memory_free(lights->lanes[part].light);
     }
+    if (lights)
+        memory_free(lights->at);
     memory_free(lights);
 }
 
-/* What each gives a place, in whatever direction; returns the sum. */
-CLONES static double lanes_give(const struct virtual_lanes *lanes, int count,
-                                const double at[3], double *give)
+static int lanes_left(const struct virtual_lanes *lanes, int first)
+{
+    int left = lanes->count - first;
+    return left < VIRTUAL_LANES ? left : VIRTUAL_LANES;
+}
+
+/* What so many from `first` on give a place, in whatever direction; returns the
+ * sum. */
+CLONES static double lanes_give(const struct virtual_lanes *lanes, int first,
+                                int count, const double at[3],
+                                double *restrict give)
 {
     const double px = at[0], py = at[1], pz = at[2];
+    const double *restrict lx = lanes->row[VIRTUAL_PLACE] + first,
+                           *restrict ly = lanes->row[VIRTUAL_PLACE + 1] + first,
+                           *restrict lz = lanes->row[VIRTUAL_PLACE + 2] + first,
+                           *restrict nx = lanes->row[VIRTUAL_NORMAL] + first,
+                           *restrict ny =
+                               lanes->row[VIRTUAL_NORMAL + 1] + first,
+                           *restrict nz =
+                               lanes->row[VIRTUAL_NORMAL + 2] + first,
+                           *restrict power = lanes->row[VIRTUAL_POWER] + first,
+                           *restrict near = lanes->row[VIRTUAL_NEAR] + first;
     double sum = 0;
     for (int i = 0; i < count; i++) {
-        double x = px - lanes->place[0][i], y = py - lanes->place[1][i],
-               z = pz - lanes->place[2][i];
+        double x = px - lx[i], y = py - ly[i], z = pz - lz[i];
         double square = x * x + y * y + z * z, distance = sqrt(square);
-        double facing = x * lanes->normal[0][i] + y * lanes->normal[1][i] +
-                        z * lanes->normal[2][i];
-        double t = distance / lanes->near[i] - 1;
+        double facing = x * nx[i] + y * ny[i] + z * nz[i];
+        double t = distance / near[i] - 1;
         t = t < 0 ? 0 : t;
         t = t > 1 ? 1 : t;
         double fade = t * t * (3 - 2 * t);
-        double each = lanes->power[i] * facing * fade / (square * distance);
+        double each = power[i] * facing * fade / (square * distance);
         give[i] = ((facing > 0) & (t > 0)) ? each : 0;
     }
     for (int i = 0; i < count; i++)
@@ -284,23 +277,64 @@ CLONES static double lanes_give(const struct virtual_lanes *lanes, int count,
     return sum;
 }
 
+/* A draw of some lights. */
+struct picking {
+    const struct virtual_lights *lights;
+    double share;         /* of a pick for each of what a light gives */
+    double passed, along; /* sums of what isn't picked for sure, and of picks of
+                           * these */
+    double stands;        /* for so much all picks do */
+    struct virtual_pick *picks;
+    int count;
+};
+
+/* What should have more than one pick has one, of the others some do: evenly
+ * along the curve, or, if they are to stay, by chance, of which each has its
+ * own for good (Brewer, Early and Joyce, Selecting Several Samples from a
+ * Single Population, 1972): what stands still asks the same ones in the next
+ * picture of an animation, whatever else is lit otherwise there [flicker].
+ * Chances side by side are spread evenly. */
+static void picking_offer(struct picking *picking,
+                          const struct virtual_light *light, double give)
+{
+    const double often = give * picking->share;
+    if (often < 1) {
+        picking->passed += often;
+        if (picking->lights->last ? !(often > light->chance)
+                                  : !(picking->passed > picking->along + 0.5))
+            return;
+        picking->along++;
+    }
+    if (picking->count == VIRTUAL_PICKS_MOST)
+        return;
+    struct virtual_pick pick = { light, fmin(often, 1) };
+    picking->stands += give / pick.often;
+    picking->picks[picking->count++] = pick;
+}
+
+/* What all would give were they seen is known: those that are picked stand for
+ * that (ratio estimation: Hajek 1971). */
 int virtual_lights_pick(const struct virtual_lights *lights, vec3 place,
                         unsigned part, int wanted, struct virtual_pick *picks)
 {
     const double at[3] = { place.x, place.y, place.z };
-    double give[VIRTUAL_LANES];
-    if (lights->count == 0)
-        return 0;
-    double sum = lanes_give(&lights->lanes[part], lights->count, at, give);
-    double each = sum / wanted, passed = 0, next = each / 2;
-    int count = 0;
-    for (int i = 0; i < lights->count && count < wanted; i++) {
-        int times = 0;
-        passed += give[i];
-        for (; next < passed; next += each)
-            times++;
-        if (times > 0)
-            picks[count++] = (struct virtual_pick){ i, give[i] / each / times };
+    const struct virtual_lanes *lanes = &lights->lanes[part];
+    double give[VIRTUAL_LANES], sum = 0;
+    for (int first = 0; first < lanes->count; first += VIRTUAL_LANES)
+        sum += lanes_give(lanes, first, lanes_left(lanes, first), at, give);
+    struct picking picking = { .lights = lights,
+                               .share = wanted / sum,
+                               .picks = picks };
+    for (int first = 0; sum > 0 && first < lanes->count;
+         first += VIRTUAL_LANES) {
+        int left = lanes_left(lanes, first);
+        if (lanes->count > VIRTUAL_LANES)
+            lanes_give(lanes, first, left, at, give);
+        for (int i = 0; i < left; i++)
+            if (give[i] > 0)
+                picking_offer(&picking, lanes->light[first + i], give[i]);
     }
-    return count;
+    for (int i = 0; i < picking.count; i++)
+        picks[i].often *= picking.stands / sum;
+    return picking.count;
 }

@@ -75,7 +75,8 @@ static void sampling_add(struct sampling *sampling,
             .point = at->point,
             .normal = normal,
             .light = rgb_scale(light, sampling->cell->worth),
-            .area = sampling->ray_area / -vec3_dot(normal, ray.direction)
+            .area = sampling->ray_area / -vec3_dot(normal, ray.direction),
+            .number = sent->draws[i].index,
         };
     arena_reset(sampling->worker->scratch);
 }

@@ -39,18 +39,18 @@ static const struct virtual_cell *patch_cell(const struct patch *patch)
 }
 
 /* Cells of side 1: the patch is in four of them. */
-static struct patch patch_new(const char *text, double worth)
+static struct patch patch_new(const char *text, double worth, bool last)
 {
     struct bright lit = { .count = 4, .radius = 0.7 };
     struct patch patch = { .all = scene_world_new(text) };
     for (int i = 0; i < 4; i++)
         lit.at[i] = (struct bright_disc){
-            { i % 2 - 0.5, 0, i / 2 - 0.5 }, { 0, 1, 0 }, worth, 0.25, 3
+            { i % 2 - 0.5, 0, i / 2 - 0.5 }, { 0, 1, 0 }, worth, 0.25
         };
     patch.lamps = lamps_new(patch.all->world, patch.all->scene, 9, 0);
     patch.worker = (struct worker){ .scratch = arena_new(0) };
-    patch.lights = virtual_lights_new(&lit, &patch.lamps, 1, &patch.worker);
-    patch.picks = VIRTUAL_PICKS_MOST;
+    patch.lights = virtual_lights_new(&lit, &patch.lamps, last, &patch.worker);
+    patch.picks = VIRTUAL_PICKS_USUAL;
     return patch;
 }
 
@@ -96,10 +96,9 @@ static void assert_about(double value, double wanted)
         fail_msg("%g, not %g", value, wanted);
 }
 
-static void test_all_light(void **state)
+static void all_light(bool last)
 {
-    struct patch patch = patch_new(LIT, 1);
-    (void)state;
+    struct patch patch = patch_new(LIT, 1, last);
     assert_true(patch.lights->count > 0 && patch_cell(&patch)->near < 1);
     for (double height = 2; height <= 4; height++)
         for (double beside = 0; beside <= 3; beside++) {
@@ -113,11 +112,18 @@ static void test_all_light(void **state)
     patch_free(&patch);
 }
 
+static void test_all_light(void **state)
+{
+    (void)state;
+    all_light(false);
+    all_light(true);
+}
+
 /* What they bring and what gather rays are left with is all. */
 static void test_shares(void **state)
 {
     const vec3 up = { 0, 1, 0 }, down = { 0, -1, 0 }, middle = { 0, 0, 0 };
-    struct patch patch = patch_new(LIT, 0.5);
+    struct patch patch = patch_new(LIT, 0.5, false);
     const struct virtual_lights *lights = patch.lights;
     (void)state;
     const double near = patch_cell(&patch)->near;
@@ -131,23 +137,55 @@ static void test_shares(void **state)
 }
 
 /* Few that are picked bring what all do; none that faces away is. */
-static void test_picks(void **state)
+static void picks_some(bool last)
 {
-    struct patch patch = patch_new(LIT, 1);
-    struct virtual_pick picks[8];
-    (void)state;
-    patch.picks = 8;
+    struct patch patch = patch_new(LIT, 1, last);
+    struct virtual_pick picks[VIRTUAL_PICKS_MOST];
+    patch.picks = 32;
     for (double beside = 0; beside <= 3; beside++) {
         vec3 place = { beside, 2, 0 };
         double wanted = 4 * seen_share(2, beside);
         double light = patch_gives(&patch, place).r;
-        int count = virtual_lights_pick(patch.lights, place, 0, 8, picks);
-        assert_true(count > 0 && count <= 8);
+        int count = virtual_lights_pick(patch.lights, place, 0, 32, picks);
+        assert_true(abs(count - 32) < 8);
         assert_true(fabs(light - wanted) < 0.04 * wanted);
     }
     assert_int_equal(
-        virtual_lights_pick(patch.lights, vec3_make(0, -2, 0), 0, 8, picks), 0);
+        virtual_lights_pick(patch.lights, vec3_make(0, -2, 0), 0, 32, picks),
+        0);
     patch_free(&patch);
+}
+
+static void test_picks(void **state)
+{
+    (void)state;
+    picks_some(false);
+    picks_some(true);
+}
+
+/* Where a quarter of the disc gets dark, what is picked of the others stays,
+ * but that there are more of these. */
+static void test_stays(void **state)
+{
+    struct patch before = patch_new(LIT, 1, true);
+    struct patch after = patch_new(LIT "box { <0, .9, 0>, 1 }", 1, true);
+    struct virtual_pick old[VIRTUAL_PICKS_MOST], new[VIRTUAL_PICKS_MOST];
+    const vec3 place = { 0, 0.8, -3 };
+    (void)state;
+    for (unsigned part = 0; part < GATHER_PARTS; part++) {
+        int n = virtual_lights_pick(before.lights, place, part, 64, old);
+        int m = virtual_lights_pick(after.lights, place, part, 64, new);
+        int still = 0, same = 0;
+        for (int i = 0; i < n; i++) {
+            vec3 at = old[i].light->point;
+            still += at.x < 0 || at.z < 0;
+            for (int k = 0; k < m; k++)
+                same += vec3_length(vec3_sub(at, new[k].light->point)) < 1e-9;
+        }
+        assert_true(still > 0 && same >= still);
+    }
+    patch_free(&before);
+    patch_free(&after);
 }
 
 /* A lamp may take light away, and one colour alone. */
@@ -156,7 +194,7 @@ static void test_negative(void **state)
     struct patch patch = patch_new(
         LIT "light_source { <0, 1, 0>, rgb <-6, 0, 2> cylinder radius .8 "
             "falloff .8001 tightness 0 point_at 0 parallel } ",
-        1);
+        1, false);
     double share = seen_share(3, 0);
     rgb light = patch_gives(&patch, vec3_make(0, 3, 0));
     (void)state;
@@ -168,10 +206,11 @@ static void test_negative(void **state)
 
 static void test_hidden(void **state)
 {
-    struct patch patch = patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1);
+    struct patch patch =
+        patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1, false);
     struct patch dark = patch_new("camera { location <0, 2, 0> look_at 0 } "
                                   "plane { y, 0 pigment { rgb 1 } }",
-                                  1);
+                                  1, false);
     (void)state;
     assert_true(patch_gives(&patch, vec3_make(0, 3, 0)).r == 0);
     assert_true(patch_gives(&patch, vec3_make(0, 1.4, 0)).r > 0);
@@ -185,7 +224,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_light), cmocka_unit_test(test_shares),
         cmocka_unit_test(test_picks),     cmocka_unit_test(test_negative),
-        cmocka_unit_test(test_hidden),
+        cmocka_unit_test(test_hidden),    cmocka_unit_test(test_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
