@@ -98,6 +98,45 @@ static rgb gathering_mirrors(const struct gathering *gathering,
     return light;
 }
 
+/* Whether the ray goes out of a body that it set out in, so flatly that all of
+ * it stays there: as light that comes up to the surface of water far from the
+ * upright. A ray that came into the body without being bent goes out. */
+static bool gathering_stays(struct gathering *gathering,
+                            const struct surface *surface)
+{
+    const struct interior *interior = surface->at->leaf->look->interior;
+    const double leaves =
+        vec3_dot(gathering->ray.direction, surface->at->normal);
+    if (!interior || !(interior->ior > 1) ||
+        gathering->mirrors >= GATHER_MIRRORS)
+        return false;
+    if (leaves < 0 || gathering->inside > 0) {
+        gathering->inside += leaves < 0 ? 1 : -1;
+        return false;
+    }
+    return (1 - leaves * leaves) * interior->ior * interior->ior > 1;
+}
+
+/* Goes on behind the surface or, as the tracer has it, with no less before it.
+ * What it sends is `sent` beside what mirrors there. */
+static rgb gathering_pass(struct gathering *gathering,
+                          const struct surface *surface, rgb sent)
+{
+    const rgb share = gathering->share, passed = surface_passed(surface);
+    if (rgb_peak(passed) > 0 && gathering_stays(gathering, surface)) {
+        gathering->ray.direction =
+            surface_mirrored(surface->normal, gathering->ray.direction,
+                             surface->layer[0].normal);
+        gathering->mirrors++;
+    } else {
+        sent = rgb_add(sent, gathering_mirrors(gathering, surface));
+        gathering->share = rgb_mul(share, passed);
+    }
+    gathering->ray.origin = surface->point;
+    gathering->met++;
+    return rgb_mul(share, sent);
+}
+
 /* One surface on the way; returns false if it ends here. Its own light into
  * *glow, unless that is NULL. */
 static bool gathering_meet(struct gathering *gathering,
@@ -113,11 +152,7 @@ static bool gathering_meet(struct gathering *gathering,
     double sky = surface_sky(&surface);
     gathering_opens(gathering, sky);
     rgb sent = gathering_shade(gathering, &surface, sky);
-    sent = rgb_add(sent, gathering_mirrors(gathering, &surface));
-    *light = rgb_add(*light, rgb_mul(gathering->share, sent));
-    gathering->share = rgb_mul(gathering->share, surface_passed(&surface));
-    gathering->ray.origin = surface.point;
-    gathering->met++;
+    *light = rgb_add(*light, gathering_pass(gathering, &surface, sent));
     return rgb_peak(gathering->share) >= gather_least;
 }
 

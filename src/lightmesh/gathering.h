@@ -14,6 +14,7 @@ struct gathering {
     double *open; /* the sum of what leaves the scene */
     rgb *lamps;   /* what the first surface sends of lamps' light */
     int mirrors;
+    int inside;           /* bodies that it has come into */
     uint32_t met;         /* surfaces */
     int before;           /* surfaces that scattered what it brings */
     bool known;           /* what it meets next has been found */
