@@ -306,19 +306,33 @@ static enum taken parse_modifier_without_effect(struct parser *p)
     }
 }
 
+static enum taken parse_steps(struct parser *p, struct object_step *step)
+{
+    bool alike = true, some = false;
+    enum taken taken = TAKEN;
+    step->all = step->alike = affine_identity();
+    for (;;) {
+        taken = parse_transformation_alike(p, &step->all, &alike);
+        if (taken != TAKEN)
+            return taken == NOT_MINE && some ? TAKEN : taken;
+        some = true;
+        if (alike)
+            step->alike = step->all;
+    }
+}
+
 /* Together: each for itself would cost the object a matrix. */
 enum taken parse_moves(struct parser *p, struct modifiers *m)
 {
-    affine step = affine_identity(), inverse;
+    struct object_step step;
+    affine inverse;
     struct span span = stream_span(p);
-    enum taken taken = parse_transformation(p, &step), more = taken;
     bool moved = m->object->maps->own != &affine_unmoved;
-    while (more == TAKEN)
-        more = parse_transformation(p, &step);
-    if (taken != TAKEN || more == WRONG)
-        return taken == TAKEN ? more : taken;
-    object_move(p->scene_arena, m->object, &step);
-    clip_list_move(&m->bounds, &step);
+    enum taken taken = parse_steps(p, &step);
+    if (taken != TAKEN)
+        return taken;
+    object_move_step(p->scene_arena, m->object, &step);
+    clip_list_move(&m->bounds, &step.all);
     return !moved || affine_inverse(*m->object->maps->own, &inverse) ||
            error_at(p, span_join(span, p->last_span), NULL,
                     "all transformations together leave nothing of this "
