@@ -62,3 +62,7 @@ global_settings { assumed_gamma 1 }
 #declare A = intersection { sphere { 0, 1 inverse } box { 0, 2 } } Show(A)
 #declare A = intersection { union { sphere { 0, 1 } box { 0, 1 } inverse } box { -3, 2 } } Show(A)
 #declare A = sphere { 0, 5 clipped_by { box { 0, 1 inverse } } } Show(A)
+// The last letter begins left of its place: POV-Ray's box is longer by as much.
+#declare A = text { ttf "timrom.ttf" "aj" .5, 0 } Show(A)
+#declare A = text { ttf "timrom.ttf" "ja" .5, 0 } Show(A)
+#declare A = text { ttf "timrom.ttf" "j" .5, 0 scale <2, 1, 1> rotate 90*z } Show(A)
