@@ -339,8 +339,18 @@ enum taken parse_moves(struct parser *p, struct modifiers *m)
                     "object: their numbers are too large or too small");
 }
 
+static bool at_no_triangle(struct parser *p)
+{
+    return stream_keyword(p) != KEYWORD_TRIANGLE &&
+           stream_keyword(p) != KEYWORD_SMOOTH_TRIANGLE && at_object(p);
+}
+
 static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
+    if (strcmp(m->block, "mesh") == 0 && at_no_triangle(p))
+        return error_at(p, stream_span(p), "union { mesh { ... } ... }",
+                        "a mesh holds triangles only; other objects are put "
+                        "together with it in a 'union'");
     if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
         bool one = strcmp(m->block, "object") == 0;
         error_at(p, stream_span(p), one ? "union { ... }" : NULL,
