@@ -187,6 +187,10 @@ static bool parse_blob_body(struct parser *p, void *shape)
         blob->part_textures = b.textures.items;
         blob->texture_count = b.textures.count;
     }
+    if (at_object(p))
+        return error_at(p, stream_span(p), "union { blob { ... } ... }",
+                        "a blob holds spheres, cylinders and components only; "
+                        "other objects are put together with it in a 'union'");
     return b.count || error_at(p, stream_span(p), "sphere { 0, 1, 1 }",
                                "a blob needs at least one part");
 }

@@ -1,5 +1,6 @@
 /* height_field{}: heights from a picture's numbers, which POV-Ray takes as
- * they are in the file, whatever their gamma (measured), or from a function. */
+ * they are in the file unless the scene says their gamma (measured), or from a
+ * function. */
 #include "scene/height_field.h"
 
 #include "base/clones.h"
@@ -88,6 +89,7 @@ struct height_picture {
     struct parser *p;
     struct span span; /* its name */
     struct height_grid *grid;
+    double gamma; /* of the numbers, 0: sRGB; -1: not said */
     bool pot; /* Fractint's: bytes in a GIF, to the right of the higher ones */
 };
 
@@ -103,6 +105,30 @@ static bool picture_begin(void *context, const struct image *image)
                        image->height);
 }
 
+/* Of a pixel whose numbers the scene says the gamma of: no more in bytes, but
+ * those of 16 bits are as bright as ever. */
+static double height_decoded(const struct image *image, double gamma,
+                             const float *pixel)
+{
+    double part[3];
+    for (int k = 0; k < 3; k++)
+        part[k] = image_number(image, gamma, (double)pixel[k]);
+    if (image->channels < 3 && !image->linear)
+        return trunc(part[0] * 65535 + 0.5);
+    if (image->bits > 8 && !image->linear)
+        return trunc(grey_of(part[0], part[1], part[2]) * 65535);
+    return height_cut(part[0] * 65280 + part[1] * 255);
+}
+
+/* A palette's numbers have no gamma. */
+static double picture_height(const struct height_picture *picture,
+                             const struct image *image, const float *pixel)
+{
+    return picture->gamma < 0 || image->indexed
+               ? height_of(image, pixel)
+               : height_decoded(image, picture->gamma, pixel);
+}
+
 static void picture_take(void *context, const struct image *image, int y,
                          const float *pixels)
 {
@@ -110,9 +136,10 @@ static void picture_take(void *context, const struct image *image, int y,
     size_t width = (size_t)picture->grid->width;
     uint16_t *row = picture->grid->heights + (size_t)y * width;
     for (size_t i = 0; i < width; i++) {
-        double height = height_of(image, pixels + 4 * i);
+        double height = picture_height(picture, image, pixels + 4 * i);
         if (picture->pot)
-            height += height_of(image, pixels + 4 * (width + i)) / 256;
+            height +=
+                picture_height(picture, image, pixels + 4 * (width + i)) / 256;
         row[i] = (uint16_t)height;
     }
 }
@@ -177,19 +204,18 @@ static bool height_function(struct parser *p, struct height_grid *grid)
            height_sample(p, span, &picture, grid);
 }
 
-static bool skip_decoding(struct parser *p)
+static bool parse_decoding(struct parser *p, double *gamma)
 {
-    double gamma;
     bool premultiplied;
-    if (accept_keyword(p, KEYWORD_GAMMA) && !accept_keyword(p, KEYWORD_SRGB) &&
-        !parse_float(p, &gamma))
+    *gamma = -1;
+    if (stream_keyword(p) == KEYWORD_GAMMA && !parse_image_gamma(p, gamma))
         return false;
     return !accept_keyword(p, KEYWORD_PREMULTIPLIED) ||
            parse_bool(p, &premultiplied);
 }
 
-/* premultiplied and gamma have no effect: a height is a number of the file.
- * heights = [image_type | "pot"] string ["gamma" ( "srgb" | float )]
+/* premultiplied has no effect: a height is a number of the file.
+ * heights = [image_type | "pot"] string [image_gamma]
  *           ["premultiplied" [bool]] | function_image . */
 static bool parse_heights(struct parser *p, void *shape)
 {
@@ -208,9 +234,10 @@ static bool parse_heights(struct parser *p, void *shape)
     span = span_join(span, p->last_span);
     const char *path =
         file_checked(p, span, "image", name, image_file(p, name, type));
-    if (!path || !skip_decoding(p))
+    double gamma;
+    if (!path || !parse_decoding(p, &gamma))
         return false;
-    struct height_picture picture = { p, span, &field->grid, pot };
+    struct height_picture picture = { p, span, &field->grid, gamma, pot };
     struct image_rows rows = { picture_begin, picture_take, &picture };
     return image_read_rows(path, &rows, problem, sizeof problem) ||
            (*problem && error_at(p, span, NULL, "can't read the image '%s': %s",

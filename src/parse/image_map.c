@@ -51,7 +51,7 @@ const struct field image_pattern_fields[] = {
 const struct field bump_fields[] = {
     { .name = "bump_size" }, { .name = "use_colour" },  { .name = "use_index" },
     { .name = "map_type" },  { .name = "interpolate" }, { .name = "once" },
-    { .name = NULL },
+    { .name = "gamma" },     { .name = NULL },
 };
 
 /* How a file's numbers become the scene's (measured; tests/povray.md, section
@@ -61,8 +61,11 @@ struct image_decoding {
     bool index;      /* they count a palette's entries */
     bool multiplied; /* light times alpha: in a file that is so */
     bool linear;     /* they are light */
-    double gamma;    /* light is their power; 0: sRGB */
-    double working;  /* the scene counts light^(1/working); 0: in sRGB */
+    bool whole; /* decoded with alpha in them, as by POV-Ray: light files whose
+                 * gamma is said */
+    double gamma;                /* light is their power; 0: sRGB */
+    const struct image *numbers; /* of no colour, but decoded as is said */
+    double working; /* the scene counts light^(1/working); 0: in sRGB */
 };
 
 /* Whether the file's numbers are the scene's as they are: before version 3.7
@@ -89,13 +92,28 @@ static struct image_decoding image_decoding(const struct parser *p,
     bool numbers = image_is_numbers(request);
     return (struct image_decoding){
         .index = image->indexed,
-        .plain = numbers || (said < 0 && image_is_plain(p, image)),
+        .plain = said < 0 && (numbers || image_is_plain(p, image)),
         .multiplied = image->multiplied && !numbers &&
                       request->multiplied != NOT_MULTIPLIED,
-        .linear = image->linear,
+        .linear = image->linear && said < 0,
+        .whole = image->linear && said >= 0,
         .gamma = said >= 0 ? said : image->gamma,
+        .numbers = numbers ? image : NULL,
         .working = space == GAMMA_SRGB ? 0 : p->scene->settings.assumed_gamma,
     };
+}
+
+static double light_of(double gamma, double value)
+{
+    return gamma > 0 ? pow(fmax(value, 0), gamma) : tone_srgb_decode(value);
+}
+
+double image_number(const struct image *image, double gamma, double value)
+{
+    const double rounding = 1e-6;
+    double light = light_of(gamma, value);
+    bool bytes = image->png && image->channels == 1 && image->bits == 8;
+    return bytes ? floor(light * 255 + rounding) / 255 : light;
 }
 
 static double image_decode(const struct image_decoding *how, double value)
@@ -104,9 +122,9 @@ static double image_decode(const struct image_decoding *how, double value)
         return value * 255;
     if (how->plain)
         return value;
-    double light = how->linear      ? value
-                   : how->gamma > 0 ? pow(fmax(value, 0), how->gamma)
-                                    : tone_srgb_decode(value);
+    if (how->numbers)
+        return image_number(how->numbers, how->gamma, value);
+    double light = how->linear ? value : light_of(how->gamma, value);
     return how->working == 1   ? light
            : how->working == 0 ? tone_srgb_encode(light)
                                : pow(fmax(light, 0), 1 / how->working);
@@ -119,7 +137,8 @@ static void image_convert(const struct image_decoding *how, struct image *image)
     size_t count = (size_t)image->width * (size_t)image->height;
     for (size_t i = 0; i < count; i++) {
         float *pixel = image->pixels + 4 * i;
-        float alpha = how->multiplied && pixel[3] > 0 ? pixel[3] : 1;
+        bool divide = how->multiplied && !how->whole && pixel[3] > 0;
+        float alpha = divide ? pixel[3] : 1;
         for (int k = 0; k < 3; k++) {
             float value = pixel[k] / alpha;
             if (value != last)
@@ -370,17 +389,16 @@ static bool parse_image_filter(struct parser *p, struct image_map *map)
 }
 
 /* image_gamma = "gamma" ( "srgb" | float ) . */
-static bool parse_image_gamma(struct parser *p, struct image_request *request)
+bool parse_image_gamma(struct parser *p, double *gamma)
 {
     stream_next(p);
-    request->gamma = 0;
+    *gamma = 0;
     if (accept_keyword(p, KEYWORD_SRGB))
         return true;
     struct span span = stream_span(p);
-    if (!parse_float(p, &request->gamma))
+    if (!parse_float(p, gamma))
         return false;
-    return request->gamma > 0 ||
-           error_at(p, span, "2.2", "gamma must be above 0");
+    return *gamma > 0 || error_at(p, span, "2.2", "gamma must be above 0");
 }
 
 /* bump_item = "bump_size" float | "use_colour" | "use_index" . */
@@ -439,7 +457,7 @@ static bool parse_image_item(struct parser *p, struct image_request *request)
     case KEYWORD_TRANSMIT:
         return parse_image_filter(p, request->map);
     case KEYWORD_GAMMA:
-        return parse_image_gamma(p, request);
+        return parse_image_gamma(p, &request->gamma);
     case KEYWORD_PREMULTIPLIED:
         return parse_multiplied(p, request);
     case KEYWORD_BUMP_SIZE:

@@ -352,6 +352,7 @@ static bool triangle_read(struct parser *p, struct object **out,
     builder.uv_faces.count = 0;
     builder.uv_faces.items = NULL;
     const affine *moved = (*out)->maps->own;
+    mesh->lone = true;
     mesh->turned = moved && moved != &affine_unmoved;
     mesh_build(p, *out, mesh, &builder);
     return true;

@@ -306,27 +306,51 @@ static enum taken parse_modifier_without_effect(struct parser *p)
     }
 }
 
+static enum taken parse_steps(struct parser *p, struct object_step *step)
+{
+    bool alike = true, some = false;
+    enum taken taken = TAKEN;
+    step->all = step->alike = affine_identity();
+    for (;;) {
+        taken = parse_transformation_alike(p, &step->all, &alike);
+        if (taken != TAKEN)
+            return taken == NOT_MINE && some ? TAKEN : taken;
+        some = true;
+        if (alike)
+            step->alike = step->all;
+    }
+}
+
 /* Together: each for itself would cost the object a matrix. */
 enum taken parse_moves(struct parser *p, struct modifiers *m)
 {
-    affine step = affine_identity(), inverse;
+    struct object_step step;
+    affine inverse;
     struct span span = stream_span(p);
-    enum taken taken = parse_transformation(p, &step), more = taken;
     bool moved = m->object->maps->own != &affine_unmoved;
-    while (more == TAKEN)
-        more = parse_transformation(p, &step);
-    if (taken != TAKEN || more == WRONG)
-        return taken == TAKEN ? more : taken;
-    object_move(p->scene_arena, m->object, &step);
-    clip_list_move(&m->bounds, &step);
+    enum taken taken = parse_steps(p, &step);
+    if (taken != TAKEN)
+        return taken;
+    object_move_step(p->scene_arena, m->object, &step);
+    clip_list_move(&m->bounds, &step.all);
     return !moved || affine_inverse(*m->object->maps->own, &inverse) ||
            error_at(p, span_join(span, p->last_span), NULL,
                     "all transformations together leave nothing of this "
                     "object: their numbers are too large or too small");
 }
 
+static bool at_no_triangle(struct parser *p)
+{
+    return stream_keyword(p) != KEYWORD_TRIANGLE &&
+           stream_keyword(p) != KEYWORD_SMOOTH_TRIANGLE && at_object(p);
+}
+
 static bool modifier_unknown(struct parser *p, const struct modifiers *m)
 {
+    if (strcmp(m->block, "mesh") == 0 && at_no_triangle(p))
+        return error_at(p, stream_span(p), "union { mesh { ... } ... }",
+                        "a mesh holds triangles only; other objects are put "
+                        "together with it in a 'union'");
     if (m->object->kind != OBJECT_SHAPE && at_object(p)) {
         bool one = strcmp(m->block, "object") == 0;
         error_at(p, stream_span(p), one ? "union { ... }" : NULL,

@@ -299,14 +299,16 @@ static bool parse_object_use(struct parser *p, struct object **out)
     return block_end(p, open, ok);
 }
 
-/* A declared object and a block: `Ball { translate x }`. */
-static bool object_is_reshaped(struct parser *p)
+/* Whether a declared object stands before such a token. */
+static bool at_object_before(struct parser *p, enum token_kind kind)
 {
     size_t left;
     bool named = at_object_identifier(p);
     const struct token *after = stream_raw(p, &left);
-    return named && left > 0 && after->kind == TOKEN_LBRACE;
+    return named && left > 0 && after->kind == kind;
 }
+
+/* `Ball { translate x }` */
 
 static bool object_reshaped(struct parser *p)
 {
@@ -317,6 +319,15 @@ static bool object_reshaped(struct parser *p)
              "a declared object is moved and coloured in 'object { }'");
     stream_next(p);
     return block_begin(p, &open) && block_end(p, open, false);
+}
+
+/* `Ball()` */
+static bool object_called(struct parser *p)
+{
+    const char *name = stream_peek(p)->word->text;
+    return error_at(p, stream_span(p), name,
+                    "'%s' is an object and no macro: it stands without '()'",
+                    name);
 }
 
 /* object = primitive | csg | object_use | mesh | mesh2 | triangle
@@ -335,8 +346,10 @@ bool parse_object(struct parser *p, struct object **out)
         return rule(p, out);
     if (primitive)
         return parse_primitive(p, out, primitive);
-    if (object_is_reshaped(p))
+    if (at_object_before(p, TOKEN_LBRACE))
         return object_reshaped(p);
+    if (at_object_before(p, TOKEN_LPAREN))
+        return object_called(p);
     const struct value *value = accept_value(p, VALUE_OBJECT);
     if (!value)
         return error_expected(p, "an object");

@@ -346,6 +346,11 @@ bool parse_interior(struct parser *p, const struct interior **out);
 bool parse_material(struct parser *p, struct material *out);
 /* translate, rotate, scale, matrix, transform{}: composed after *transform. */
 enum taken parse_transformation(struct parser *p, affine *transform);
+
+/* The same; *alike is false from the first on that is no translation, rotation
+ * or scaling that is the same along all axes. */
+enum taken parse_transformation_alike(struct parser *p, affine *transform,
+                                      bool *alike);
 bool parse_global_settings(struct parser *p);
 /* The inside of #default { }: up to the '}', which is not taken. */
 bool parse_defaults(struct parser *p, struct span open);

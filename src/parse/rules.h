@@ -152,6 +152,14 @@ bool parse_block_list(struct parser *p, const struct pattern *pattern,
 /* png, jpeg ... before the name of a picture, or nothing: *found NULL. */
 bool parse_image_type(struct parser *p, const char **found);
 
+/* At "gamma": of a picture's numbers; 0: sRGB. */
+bool parse_image_gamma(struct parser *p, double *gamma);
+
+/* A number of a picture that means no colour, where the scene says the gamma of
+ * the file (measured): light; a PNG's bytes of grey are rounded down to
+ * bytes. */
+double image_number(const struct image *image, double gamma, double value);
+
 /* The path of a picture of that type, whose name may lack its extension; or
  * NULL. For file_checked: it may be one that is not to be read. */
 const char *image_file(struct parser *p, const char *name, const char *type);

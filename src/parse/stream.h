@@ -19,6 +19,8 @@ enum block_kind { BLOCK_IF, BLOCK_SWITCH, BLOCK_WHILE, BLOCK_FOR };
 struct open_block {
     enum block_kind kind;
     struct span span;      /* of the directive */
+    struct span otherwise; /* of the #else that is being read, if it is_else */
+    bool is_else;
     size_t condition;      /* token index to go back to */
     unsigned rounds;       /* of a loop so far */
     unsigned long changes; /* p->changes when the condition was last read */

@@ -152,11 +152,27 @@ static bool transformation_check(struct parser *p, struct span span,
     return true;
 }
 
-/* transformation = translation | rotation | scale | matrix | transform . */
+/* POV-Ray doesn't look into matrices and transforms (measured). */
+static bool transformation_is_alike(enum keyword keyword, const affine *one)
+{
+    return keyword == KEYWORD_TRANSLATE || keyword == KEYWORD_ROTATE ||
+           (keyword == KEYWORD_SCALE && one->m[0][0] == one->m[1][1] &&
+            one->m[0][0] == one->m[2][2]);
+}
+
 enum taken parse_transformation(struct parser *p, affine *transform)
 {
+    bool ignored = true;
+    return parse_transformation_alike(p, transform, &ignored);
+}
+
+/* transformation = translation | rotation | scale | matrix | transform . */
+enum taken parse_transformation_alike(struct parser *p, affine *transform,
+                                      bool *alike)
+{
     bool (*rule)(struct parser *, affine *);
-    switch (stream_keyword(p)) {
+    enum keyword keyword = stream_keyword(p);
+    switch (keyword) {
     case KEYWORD_TRANSLATE:
         rule = parse_translation;
         break;
@@ -179,6 +195,7 @@ enum taken parse_transformation(struct parser *p, affine *transform)
     struct span span = stream_span(p);
     if (!rule(p, &one))
         return false;
+    *alike = *alike && transformation_is_alike(keyword, &one);
     *transform = affine_compose(one, *transform);
     return transformation_check(p, span_join(span, p->last_span), transform);
 }

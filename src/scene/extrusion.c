@@ -547,6 +547,15 @@ const struct primitive prism_primitive = {
     .inside = extrusion_inside,
 };
 
+/* A letter that reaches to the left of where it begins is taken for as much
+ * longer to the right. */
+static struct box3 text_told(const void *shape, const affine *place)
+{
+    struct box3 box = extrusion_bounds(shape);
+    box.high.x -= lesser(box.low.x, 0);
+    return affine_box(place, box);
+}
+
 const struct primitive text_primitive = {
     .name = "text",
     .help = "a letter",
@@ -555,6 +564,7 @@ const struct primitive text_primitive = {
     .solid = true,
     .prepare = extrusion_prepare,
     .bounds = extrusion_bounds,
+    .told = text_told,
     .intersect = extrusion_intersect,
     .crosses = extrusion_crosses,
     .first = extrusion_first,

@@ -49,6 +49,16 @@ struct box3 mesh_triangle_box(const struct mesh *mesh, size_t triangle)
     return box;
 }
 
+struct box3 mesh_told(const struct mesh *mesh, const affine *place)
+{
+    struct box3 box = box3_empty();
+    if (!mesh->lone)
+        return affine_box(place, mesh->bounds);
+    for (size_t i = 0; i < mesh->vertex_count; i++)
+        box = box3_add(box, affine_point(place, mesh->vertices[i]));
+    return box;
+}
+
 static struct box3 mesh_find_bounds(const struct mesh *mesh)
 {
     struct box3 box = box3_empty();

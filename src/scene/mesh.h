@@ -36,12 +36,17 @@ struct mesh {
     vec3 inside_vector;      /* direction of the ray that counts crossings */
     bool turned; /* outside is where corners turn to the right: a lone triangle
                   * that was moved, a patch (measured) */
+    bool lone;   /* a triangle that is no mesh's */
     struct box3 bounds;
     struct mesh_probes *probes; /* scene/object_probe.h; NULL: few triangles */
 };
 
 /* Around the corners of a triangle. */
 struct box3 mesh_triangle_box(const struct mesh *mesh, size_t triangle);
+
+/* The box around it, moved by `place`, that min_extent and max_extent tell:
+ * around the bounds, but around the corners of a lone triangle (measured). */
+struct box3 mesh_told(const struct mesh *mesh, const affine *place);
 
 /* Whether three points span no area (also when any is not finite). */
 bool mesh_degenerate(vec3 a, vec3 b, vec3 c);

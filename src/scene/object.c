@@ -5,7 +5,8 @@
 #include "scene/primitive.h"
 
 static const struct object_maps maps_unmoved = {
-    &affine_unmoved, &affine_unmoved, &affine_unmoved, &affine_unmoved
+    &affine_unmoved, &affine_unmoved, &affine_unmoved, &affine_unmoved,
+    &affine_unmoved
 };
 static const struct object_more nothing_more = { .depth = 1, .parts = 1 };
 
@@ -97,15 +98,40 @@ void object_settle(struct arena *arena, struct object *object)
     object->settled = true;
     if (maps.own == &affine_unmoved || !shape_move(arena, object, maps.own))
         return;
-    maps.own = &affine_unmoved;
+    maps.own = maps.alike = &affine_unmoved;
     object_place(arena, object, maps);
+}
+
+/* A ball that was moved in any other way before is none any more. */
+static void maps_move_alike(struct arena *arena, struct object_maps *maps,
+                            const struct object_maps *before,
+                            const struct object_step *step)
+{
+    if (before->alike != before->own)
+        return;
+    bool whole = memcmp(&step->alike, &step->all, sizeof step->all) == 0;
+    maps->alike =
+        whole || maps->own == before->own
+            ? maps->own
+            : affine_moved(arena, &step->alike, before->own, NULL, NULL);
+}
+
+static bool object_is_ball(const struct object *object)
+{
+    return object->kind == OBJECT_SHAPE && object->primitive->ball;
 }
 
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform)
 {
+    object_move_step(arena, object, &(struct object_step){ .all = *transform });
+}
+
+void object_move_step(struct arena *arena, struct object *object,
+                      const struct object_step *step)
+{
     struct object_maps maps = *object->maps;
-    const affine *before = maps.own;
+    const affine *before = maps.own, *transform = &step->all;
     const affine *after = affine_moved(arena, transform, before, NULL, NULL);
     const affine **covering[] = { &maps.texture, &maps.inner, &maps.interior };
     if (!object->settled || before != &affine_unmoved ||
@@ -114,6 +140,8 @@ void object_move(struct arena *arena, struct object *object,
     for (size_t i = 0; i < sizeof covering / sizeof covering[0]; i++)
         *covering[i] =
             affine_moved(arena, transform, *covering[i], before, after);
+    if (object_is_ball(object))
+        maps_move_alike(arena, &maps, object->maps, step);
     object_place(arena, object, maps);
     if (!object->more->clip_count && !object->more->bound_count)
         return;
@@ -156,9 +184,24 @@ static struct box3 half_space_bounds(const struct object *object)
     return box;
 }
 
+/* The box around the ball that was turned, and around that box as what came
+ * after has moved it. */
+static struct box3 ball_bounds(const struct object *object)
+{
+    const struct object_maps *maps = object->maps;
+    struct box3 box = object->primitive->ball(object->shape, maps->alike);
+    affine back;
+    if (maps->alike == maps->own || !affine_inverse(*maps->alike, &back))
+        return box;
+    affine after = affine_compose(*maps->own, back);
+    return affine_box(&after, box);
+}
+
 static struct box3 shape_bounds(const struct object *object)
 {
     const struct primitive *primitive = object->primitive;
+    if (primitive->ball)
+        return ball_bounds(object);
     return primitive->told ? primitive->told(object->shape, object->maps->own)
                            : affine_box(object->maps->own,
                                         primitive->bounds(object->shape));
@@ -171,9 +214,11 @@ static struct box3 object_part_bounds(const struct object *object)
     bool shape = object->kind == OBJECT_SHAPE;
     if (shape && object->primitive->half_space)
         return half_space_bounds(object);
+    if (object->inverse)
+        return box3_infinite();
     if (!shape || object->more->clip_count > 0 || object_is_bounded(object))
         return object_bounds(object);
-    return object->inverse ? box3_infinite() : shape_bounds(object);
+    return shape_bounds(object);
 }
 
 static struct box3 object_children_bounds(const struct object *object)
@@ -196,7 +241,7 @@ static struct box3 object_own_bounds(const struct object *object)
     case OBJECT_SHAPE:
         return shape_bounds(object);
     case OBJECT_MESH:
-        return affine_box(object->maps->own, object->mesh->bounds);
+        return mesh_told(object->mesh, object->maps->own);
     case OBJECT_LIGHT:
         return box3_empty();
     case OBJECT_UNION:
@@ -213,7 +258,9 @@ static struct box3 box_within(struct box3 box, const struct clip *clips,
 {
     struct box3 shared = box3_infinite();
     for (size_t i = 0; i < count; i++) {
-        struct box3 limit = object_bounds(clips[i].object);
+        const struct object *clip = clips[i].object;
+        struct box3 limit =
+            clip->inverse ? box3_infinite() : object_bounds(clip);
         shared =
             box3_intersection(shared, affine_box(&clips[i].transform, limit));
     }
@@ -226,13 +273,11 @@ static bool box_is_endless(struct box3 box)
            isinf(box.high.x) || isinf(box.high.y) || isinf(box.high.z);
 }
 
-/* Inside out, only the surface is where it was: an inverse shape inside a
- * CSG object reaches everywhere. What is endless in one direction is so in all
- * (measured). */
+/* Inside out it has the same bounds: only as a part of an intersection or a
+ * clip, whose inside counts, it reaches everywhere. What is endless in one
+ * direction is so in all (measured). */
 struct box3 object_bounds(const struct object *object)
 {
-    if (object->inverse)
-        return box3_infinite();
     struct box3 box = object_own_bounds(object);
     if (!box3_is_empty(box) && box_is_endless(box))
         box = box3_infinite();

@@ -65,6 +65,17 @@ struct object_maps {
     const affine *texture; /* from the texture's space to the parent's */
     const affine *inner;
     const affine *interior; /* of its media */
+    /* Of a ball: the first part of `own`, up to the first step that it is no
+     * ball after to POV-Ray (object_step); the same pointer: all of it. */
+    const affine *alike;
+};
+
+/* Transformations written one after another. */
+struct object_step {
+    affine all;
+    /* Those before the first that isn't `translate`, `rotate` or a `scale` that
+     * is the same along all axes. */
+    affine alike;
 };
 
 /* What single shapes seldom have. */
@@ -106,6 +117,10 @@ void object_place(struct arena *arena, struct object *object,
                   struct object_maps maps);
 
 /* Moves the node, its texture, its clips and bounds. */
+void object_move_step(struct arena *arena, struct object *object,
+                      const struct object_step *step);
+
+/* The same of what min_extent and max_extent don't tell the extents of. */
 void object_move(struct arena *arena, struct object *object,
                  const affine *transform);
 

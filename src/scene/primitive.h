@@ -54,6 +54,10 @@ struct primitive {
     /* The box around it, moved by `place`, that min_extent and max_extent tell,
      * where POV-Ray's is larger (measured). NULL: around the bounds. */
     struct box3 (*told)(const void *shape, const affine *place);
+    /* Instead of `told`, of what keeps its form when it is moved so: the box
+     * around it, where `place` turns, shifts and scales alike along all axes.
+     * NULL: it has no such form. */
+    struct box3 (*ball)(const void *shape, const affine *place);
     /* Around the part of the inside that is in the box, or empty; NULL: no
      * better known than the bounds. */
     struct box3 (*within)(const void *shape, struct box3 box);

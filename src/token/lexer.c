@@ -396,9 +396,24 @@ const struct token_list *lexer_run_part(struct arena *arena,
     return list;
 }
 
+/* Where a source ends: before the Ctrl-Z that DOS editors put behind a text, as
+ * often as it stands there. */
+static size_t source_end(const struct source *source)
+{
+    const char dos_end = 0x1a;
+    size_t end = source->length, ctrl_z = 0;
+    for (; end > 0; end--) {
+        char c = source->text[end - 1];
+        if (c != dos_end && !is_space(c))
+            break;
+        ctrl_z += c == dos_end;
+    }
+    return ctrl_z ? end : source->length;
+}
+
 const struct token_list *lexer_run(struct arena *arena,
                                    struct word_table *words,
                                    const struct source *source)
 {
-    return lexer_run_part(arena, words, source, 0, source->length);
+    return lexer_run_part(arena, words, source, 0, source_end(source));
 }

@@ -38,3 +38,31 @@ global_settings { assumed_gamma 1 }
 // Julia fractals: the radius beyond which nothing comes back.
 #declare A = julia_fractal { <-.5, .3, .2, .1> rotate 45*y } Show(A)
 #declare A = julia_fractal { <-.5, .3, .2, .1> hypercomplex } Show(A)
+// A ball that is turned stays one, until a step that it is none after; corners
+// are moved one by one.
+#declare A = sphere { x, .4 scale 2 rotate 45*z } Show(A)
+#declare A = object { sphere { 0, 1 } rotate <20, 30, 40> } Show(A)
+#declare A = sphere { x, .4 rotate 45*z scale <1, 2, 1> } Show(A)
+#declare A = sphere { x, .4 scale <1, 2, 1> rotate 45*z } Show(A)
+#declare A = sphere { 0, 1 transform { rotate <20, 30, 40> } } Show(A)
+#declare A = sphere { y, 1 rotate 20*z pigment { rgb 1 } rotate 45*z scale 2 pigment { rgb 1 } scale <1, 2, 1> } Show(A)
+#declare A = object { object { sphere { y, 1 rotate 20*z } scale <1, 2, 3> } rotate 45*z translate x } Show(A)
+#declare A = object { sphere { y, 1 rotate 20*z scale <1, 2, 3> } scale <1, .5, 1/3> rotate 45*z } Show(A)
+#declare A = sphere { x, 1 scale <-1, 1, 1> rotate 45*z } Show(A)
+#declare A = union { sphere { x, 1 } rotate 45*z } Show(A)
+#declare A = triangle { 0, x, y rotate 30*z scale <1, 2, 1> rotate 45*z } Show(A)
+#declare A = smooth_triangle { x, x, y, y, z, z rotate <20, 30, 40> } Show(A)
+#declare A = mesh { triangle { 0, x, y } rotate 30*z } Show(A)
+#declare A = polygon { 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> rotate <20, 30, 40> } Show(A)
+#declare A = polygon { 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> rotate 90*y } Show(A)
+// Inside out, objects are where they were, but not as parts of others.
+#declare A = object { sphere { 0, 1 } inverse } Show(A)
+#declare A = union { sphere { 0, 1 } box { 0, 2 } inverse } Show(A)
+#declare A = union { sphere { 0, 1 inverse } box { 0, 2 } } Show(A)
+#declare A = intersection { sphere { 0, 1 inverse } box { 0, 2 } } Show(A)
+#declare A = intersection { union { sphere { 0, 1 } box { 0, 1 } inverse } box { -3, 2 } } Show(A)
+#declare A = sphere { 0, 5 clipped_by { box { 0, 1 inverse } } } Show(A)
+// The last letter begins left of its place: POV-Ray's box is longer by as much.
+#declare A = text { ttf "timrom.ttf" "aj" .5, 0 } Show(A)
+#declare A = text { ttf "timrom.ttf" "ja" .5, 0 } Show(A)
+#declare A = text { ttf "timrom.ttf" "j" .5, 0 scale <2, 1, 1> rotate 90*z } Show(A)

@@ -15,8 +15,13 @@ static bool conditional_next_branch(struct parser *p)
             stream_skip_block(p, stops, directive_block(p)->span);
         if (stop != KEYWORD_NONE)
             p->cursor->index++;
-        if (stop == KEYWORD_ELSE)
+        if (stop == KEYWORD_ELSE) {
+            struct open_block *block = directive_block(p);
+            block->is_else = true;
+            block->otherwise =
+                token_span(p->cursor->list, p->cursor->index - 1);
             return true;
+        }
         if (stop != KEYWORD_ELSEIF) {
             directive_close(p);
             return stop == KEYWORD_END;
@@ -101,13 +106,26 @@ static bool ifndef_run(struct parser *p, struct span at)
     return conditional_begin(p, at, ok && !declared) && ok;
 }
 
+/* Nothing comes behind the #else that is being read but its #end. POV-Ray, too,
+ * lets it pass in text that it skips. */
+static bool behind_else(struct parser *p, struct span at, const char *name)
+{
+    const struct open_block *block = directive_block(p);
+    if (!block->is_else)
+        return true;
+    error_at(p, at, "#end", "'#%s' behind the '#else' of the same '#if'", name);
+    note_at(p, block->otherwise, "its '#else' is here");
+    return false;
+}
+
 /* A branch that was read ends here: the rest is skipped. */
 static bool elseif_run(struct parser *p, struct span at)
 {
     struct open_block *block = directive_block(p);
     if (!block || block->kind != BLOCK_IF)
         return error_at(p, at, NULL, "'#elseif' without '#if'");
-    return directive_skip_to_end(p);
+    bool ok = behind_else(p, at, "elseif");
+    return directive_skip_to_end(p) && ok;
 }
 
 /* In a #switch, #else is the branch for no match; reached by falling through
@@ -119,7 +137,8 @@ static bool else_run(struct parser *p, struct span at)
         return true;
     if (!block || block->kind != BLOCK_IF)
         return error_at(p, at, NULL, "'#else' without '#if' or '#switch'");
-    return directive_skip_to_end(p);
+    bool ok = behind_else(p, at, "else");
+    return directive_skip_to_end(p) && ok;
 }
 
 static bool range_ends(struct parser *p, double *first, double *last)

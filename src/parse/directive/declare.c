@@ -170,9 +170,34 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
 
 /* What is declared gets a value in any case, so that its uses are not
  * reported too: errors leave VALUE_POISON behind. */
+/* `#declare Ball = { sphere { ... } }` */
+static bool declare_is_braced(struct parser *p)
+{
+    size_t left;
+    bool open = stream_peek(p)->kind == TOKEN_LBRACE;
+    const struct token *after = stream_raw(p, &left);
+    return open && left > 1 && after[0].kind == TOKEN_WORD &&
+           after[0].word->reserved && after[1].kind == TOKEN_LBRACE;
+}
+
+static bool declare_braced(struct parser *p, const struct word *name)
+{
+    size_t left;
+    const char *first = stream_raw(p, &left)->word->text;
+    return error_at(
+        p, stream_span(p),
+        arena_printf(p->arena, "#declare %s = %s { ... }", name->text, first),
+        "a value stands without braces around it; of several "
+        "objects 'union { ... }' makes one");
+}
+
 static bool declare_value(struct parser *p, const struct word *name,
                           struct value *value)
 {
+    if (declare_is_braced(p)) {
+        *value = (struct value){ .kind = VALUE_POISON };
+        return declare_braced(p, name);
+    }
     unsigned errors = p->diag->errors;
     const struct declaring now = { name, p->block_count, p->declaring };
     p->declaring = &now;
@@ -239,10 +264,29 @@ static const char *declare_counted(struct parser *p, const struct word *name)
                         (int)strcspn(by, ";\r\n"), by);
 }
 
-static bool declare_equal(struct parser *p, const struct word *name)
+/* `My Ball = ...` */
+static bool declare_is_apart(struct parser *p)
 {
+    size_t left;
+    bool word = stream_peek_infix(p)->kind == TOKEN_WORD;
+    const struct token *after = stream_raw(p, &left);
+    return word && left > 0 && after->kind == TOKEN_EQUAL;
+}
+
+static bool declare_apart(struct parser *p, const struct declaration *head)
+{
+    const char *more = p->token.word->text;
+    return error_at(p, span_join(head->span, p->token_span),
+                    arena_printf(p->arena, "%s_%s", head->name->text, more),
+                    "a name is one word");
+}
+
+static bool declare_equal(struct parser *p, const struct declaration *head)
+{
+    if (declare_is_apart(p))
+        return declare_apart(p, head);
     if (stream_peek_infix(p)->kind != TOKEN_EQUAL)
-        return error_expected_hint(p, "'='", declare_counted(p, name));
+        return error_expected_hint(p, "'='", declare_counted(p, head->name));
     struct span span = stream_span(p);
     stream_next(p);
     if (stream_peek(p)->kind != TOKEN_EQUAL)
@@ -254,7 +298,7 @@ static bool declare_equal(struct parser *p, const struct word *name)
 static bool declare_head(struct parser *p, struct declaration *head)
 {
     return declare_deprecation(p, head) && declare_name(p, &head->name) &&
-           declare_place(p, head) && declare_equal(p, head->name);
+           declare_place(p, head) && declare_equal(p, head);
 }
 
 static void declare_tell(struct parser *p, const struct declaration *head,

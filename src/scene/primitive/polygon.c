@@ -140,6 +140,28 @@ static struct box3 polygon_bounds(const void *shape)
     return polygon->bounds;
 }
 
+static void thicken(double *low, double *high)
+{
+    const double least = 0.001;
+    if (*high - *low < least) {
+        *low -= least;
+        *high += least;
+    }
+}
+
+/* Around its corners, and thicker where that is flat (measured). */
+static struct box3 polygon_told(const void *shape, const affine *place)
+{
+    const struct polygon *polygon = shape;
+    struct box3 box = box3_empty();
+    for (size_t i = 0; i < polygon->points.count; i++)
+        box = box3_add(box, affine_point(place, polygon->points.items[i]));
+    thicken(&box.low.x, &box.high.x);
+    thicken(&box.low.y, &box.high.y);
+    thicken(&box.low.z, &box.high.z);
+    return box;
+}
+
 /* Edges crossed by the line from (u, v) to the right, ends counted once. */
 static bool polygon_covers(const struct polygon *polygon, double u, double v)
 {
@@ -240,6 +262,7 @@ const struct primitive polygon_primitive = {
     .prepare = polygon_prepare,
     .remark = polygon_remark,
     .bounds = polygon_bounds,
+    .told = polygon_told,
     .intersect = polygon_intersect,
     .normal = polygon_normal,
     .meets = polygon_meets,

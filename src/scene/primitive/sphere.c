@@ -28,6 +28,15 @@ static struct box3 sphere_bounds(const void *shape)
                           vec3_add(sphere->centre, half) };
 }
 
+static struct box3 sphere_ball(const void *shape, const affine *place)
+{
+    struct sphere moved = *(const struct sphere *)shape;
+    moved.centre = affine_point(place, moved.centre);
+    moved.radius *=
+        vec3_length(vec3_make(place->m[0][0], place->m[1][0], place->m[2][0]));
+    return sphere_bounds(&moved);
+}
+
 static bool sphere_move(void *shape, const affine *outward,
                         const affine *inward)
 {
@@ -239,6 +248,7 @@ const struct primitive sphere_primitive = {
     .convex = true,
     .unseen = sphere_unseen,
     .bounds = sphere_bounds,
+    .ball = sphere_ball,
     .move = sphere_move,
     .intersect = sphere_intersect,
     .crosses = sphere_crosses,
