@@ -30,10 +30,17 @@ static int frames_bound(const struct frames *frames, double said, int otherwise)
     return bound < frames->first ? frames->first : bound;
 }
 
+/* POV-Ray draws a single picture then: frame 0, its clock from +K, its name
+ * without a number. What +KFF1 or +KFI1 alone asks for is an animation. */
+static bool frames_say_one(const struct frames *frames)
+{
+    return frames->initial == 1 && frames->final == 1;
+}
+
 const char *frames_resolve(struct frames *frames, struct arena *arena)
 {
     double final = isnan(frames->final) ? frames->initial : frames->final;
-    if (isnan(final) || final == 0)
+    if (isnan(final) || final == 0 || frames_say_one(frames))
         return NULL;
     double initial = isnan(frames->initial) ? 1 : frames->initial;
     if (final < initial)
