@@ -123,7 +123,8 @@ struct looking {
     struct worker *worker;
     double brought; /* by all cells */
     size_t room;    /* for lights */
-    uint32_t rays;  /* that were sent, lit or not */
+    uint32_t rays;  /* into cells before, lit or not: what is lit elsewhere
+                     * changes no chance */
 };
 
 static struct virtual_light *lights_room(struct virtual_lights *lights,
@@ -149,9 +150,11 @@ static void cell_look(struct virtual_lights *lights, struct virtual_cell *cell,
     struct virtual_light *at = lights_room(lights, &looking->room);
     unsigned edge = cell_edge(lights, cell->brought / looking->brought);
     uint32_t before = looking->rays;
+    looking->rays += edge * edge;
+    if (!(cell->worth > 0))
+        return;
     size_t count = virtual_samples_of(looking->lamps, looking->worker, cell,
                                       lights->side, edge, at);
-    looking->rays += edge * edge;
     if (!(samples_power(at, count) > 0)) {
         cell->worth = 0;
         return;
@@ -217,11 +220,9 @@ struct virtual_lights *virtual_lights_new(const struct bright *lit,
         looking.brought += lit->at[i].brought;
     }
     cells_begin(lights, lamps, worker);
-    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
-        struct virtual_cell *cell = &lights->cell[i];
-        if (cell->worth > 0)
-            cell_look(lights, cell, &looking);
-    }
+    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++)
+        if (lights->cell[i].key)
+            cell_look(lights, &lights->cell[i], &looking);
     lights_part(lights);
     return lights;
 }

@@ -309,7 +309,6 @@ static bool at_object_before(struct parser *p, enum token_kind kind)
 }
 
 /* `Ball { translate x }` */
-
 static bool object_reshaped(struct parser *p)
 {
     struct span open;

@@ -168,8 +168,6 @@ static bool declare_semicolon(struct parser *p, const struct value *value)
     return declare_unended(p, value);
 }
 
-/* What is declared gets a value in any case, so that its uses are not
- * reported too: errors leave VALUE_POISON behind. */
 /* `#declare Ball = { sphere { ... } }` */
 static bool declare_is_braced(struct parser *p)
 {
@@ -191,6 +189,8 @@ static bool declare_braced(struct parser *p, const struct word *name)
         "objects 'union { ... }' makes one");
 }
 
+/* What is declared gets a value in any case, so that its uses are not
+ * reported too: errors leave VALUE_POISON behind. */
 static bool declare_value(struct parser *p, const struct word *name,
                           struct value *value)
 {
