@@ -33,8 +33,7 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
     if (survey.closed && !options->numbers) {
         look = (struct survey_options){ .rays = CHAMBER_RAYS,
                                         .known = known,
-                                        .lights = true,
-                                        .last = options->root };
+                                        .times = mesh_times(options) };
         survey = survey_of(&gather, scene, &worker, &look);
         /* Closer, where some of the light comes in through a window. */
         look.rays = BRIGHT_RAYS;
@@ -43,8 +42,7 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
             survey = survey_of(&gather, scene, &worker, &look);
         }
     } else if (gather.onward) {
-        look.lights = true;
-        look.last = options->root;
+        look.times = mesh_times(options);
         survey = survey_of(&gather, scene, &worker, &look);
     }
     arena_free(worker.scratch);
@@ -62,6 +60,6 @@ void mesh_virtual_again(struct mesh_lighting *mesh,
     mesh->virtual_lights = NULL;
     if (frame->lit.count > 0 && frame->samples > 0)
         mesh->virtual_lights = virtual_lights_new(&frame->lit, &mesh->lamps,
-                                                  options->root, &worker);
+                                                  mesh_times(options), &worker);
     arena_free(worker.scratch);
 }

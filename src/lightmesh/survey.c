@@ -339,7 +339,7 @@ static struct survey sums_tell(struct sums *sums,
     survey.around = sums_around(sums);
     sums_remember(sums, &survey);
     sums_sights(sums, &survey);
-    if (options->lights)
+    if (options->times > 0)
         survey.glows = sums_glows(sums, worker);
     survey.closed = sums_closed(sums, &survey, known);
     if (survey.closed) {

@@ -44,9 +44,8 @@ struct survey survey_none(void);
 
 /* How to look. */
 struct survey_options {
-    int rays;                   /* of each place, at least 4 */
-    bool lights;                /* whether to look for virtual lights, */
-    bool last;                  /* and whether for an animation's picture */
+    int rays;  /* of each place, at least 4 */
+    int times; /* as many virtual lights as a picture needs; 0: none */
     const struct survey *known; /* that is as closed unless this one is plainly
                                  * not, and whose bright and lit places are
                                  * taken if they serve nearly as well as others

@@ -101,12 +101,12 @@ struct lit {
 };
 
 static struct lit lit_new(const struct sums *sums, const struct bright *cells,
-                          bool last, struct worker *worker)
+                          int times, struct worker *worker)
 {
     struct lit lit = { .cells = *cells };
     if (cells->count == 0)
         return lit;
-    lit.lights = virtual_lights_new(cells, sums->gather->lamps, last, worker);
+    lit.lights = virtual_lights_new(cells, sums->gather->lamps, times, worker);
     lit.sent = sums_sent(sums, lit.lights);
     return lit;
 }
@@ -116,11 +116,11 @@ static struct lit sums_lit(const struct sums *sums,
                            struct worker *worker)
 {
     const struct bright found = sums_cells(sums, lit_cells_of);
-    struct lit lit = lit_new(sums, &found, options->last, worker);
+    struct lit lit = lit_new(sums, &found, options->times, worker);
     if (!options->known)
         return lit;
     struct lit known =
-        lit_new(sums, &options->known->lit, options->last, worker);
+        lit_new(sums, &options->known->lit, options->times, worker);
     bool keep = known.sent * bright_known > lit.sent;
     virtual_lights_free((keep ? &lit : &known)->lights);
     return keep ? known : lit;
@@ -137,7 +137,7 @@ static double sums_light_all(const struct sums *sums)
 void sums_light(struct sums *sums, const struct survey_options *options,
                 struct worker *worker, struct survey *survey)
 {
-    if (!options->lights || sums->gather->lamps->scene->fogs.count > 0)
+    if (options->times == 0 || sums->gather->lamps->scene->fogs.count > 0)
         return;
     struct lit lit = sums_lit(sums, options, worker);
     if (lit.sent > virtual_worth * sums_light_all(sums)) {

@@ -89,35 +89,17 @@ static double samples_area(const struct virtual_light *at, size_t count)
     return area;
 }
 
-/* A first look into all cells: what nothing lights is left out. */
-static void cells_begin(struct virtual_lights *lights,
-                        const struct lamps *lamps, struct worker *worker)
-{
-    struct virtual_light
-        found[VIRTUAL_LAYERS * VIRTUAL_EDGE_LEAST * VIRTUAL_EDGE_LEAST];
-    for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++) {
-        struct virtual_cell *cell = &lights->cell[i];
-        if (!cell->key)
-            continue;
-        size_t count = virtual_samples_of(lamps, worker, cell, lights->side,
-                                          VIRTUAL_EDGE_LEAST, found);
-        if (!(samples_power(found, count) > 0))
-            cell->worth = 0;
-    }
-}
-
 /* How many rays along an edge look at a cell: the more, the more it brings. */
 static unsigned cell_edge(const struct virtual_lights *lights, double share)
 {
-    const double rays =
-        (lights->last ? CHAMBER_ANIMATED : 1) * VIRTUAL_RAYS * share;
+    const double rays = lights->times * VIRTUAL_RAYS * share;
     unsigned edge = VIRTUAL_EDGE_LEAST;
     while (edge < VIRTUAL_EDGE_MOST && 2 * edge * edge <= rays)
         edge *= 2;
     return edge;
 }
 
-/* A closer look into all cells. */
+/* A look into all cells. */
 struct looking {
     const struct lamps *lamps;
     struct worker *worker;
@@ -137,25 +119,35 @@ static struct virtual_light *lights_room(struct virtual_lights *lights,
     return lights->at + lights->count;
 }
 
+/* How many are lit: none if they have no power together. */
+static size_t looking_into(const struct looking *looking,
+                           const struct virtual_cell *cell, double side,
+                           unsigned edge, struct virtual_light *at)
+{
+    size_t count = virtual_samples_of(looking->lamps, looking->worker, cell,
+                                      side, edge, at);
+    return samples_power(at, count) > 0 ? count : 0;
+}
+
 static unsigned light_part(const struct virtual_light *light)
 {
     return light->number % GATHER_PARTS;
 }
 
-/* A closer look into a cell: each ray of the grid into it that finds light is
- * one, of the part that its number says. */
+/* Each ray of a grid into a cell that finds light is one, of the part that its
+ * number says. Where the coarsest grid finds nothing there is none. */
 static void cell_look(struct virtual_lights *lights, struct virtual_cell *cell,
                       struct looking *looking)
 {
     struct virtual_light *at = lights_room(lights, &looking->room);
     unsigned edge = cell_edge(lights, cell->brought / looking->brought);
     uint32_t before = looking->rays;
+    size_t count =
+        looking_into(looking, cell, lights->side, VIRTUAL_EDGE_LEAST, at);
     looking->rays += edge * edge;
-    if (!(cell->worth > 0))
-        return;
-    size_t count = virtual_samples_of(looking->lamps, looking->worker, cell,
-                                      lights->side, edge, at);
-    if (!(samples_power(at, count) > 0)) {
+    if (count > 0 && edge > VIRTUAL_EDGE_LEAST)
+        count = looking_into(looking, cell, lights->side, edge, at);
+    if (count == 0) {
         cell->worth = 0;
         return;
     }
@@ -208,18 +200,17 @@ static void lights_part(struct virtual_lights *lights)
 }
 
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
-                                          const struct lamps *lamps, bool last,
+                                          const struct lamps *lamps, int times,
                                           struct worker *worker)
 {
     struct virtual_lights *lights = memory_new(sizeof *lights);
     struct looking looking = { .lamps = lamps, .worker = worker };
-    lights->last = last;
+    lights->times = times;
     lights->side = bright_side(lit);
     for (int i = 0; i < lit->count; i++) {
         cells_around(lights, &lit->at[i]);
         looking.brought += lit->at[i].brought;
     }
-    cells_begin(lights, lamps, worker);
     for (int i = 0; i < VIRTUAL_SLOTS && !worker_stopped(worker); i++)
         if (lights->cell[i].key)
             cell_look(lights, &lights->cell[i], &looking);
@@ -301,8 +292,9 @@ static void picking_offer(struct picking *picking,
     const double often = give * picking->share;
     if (often < 1) {
         picking->passed += often;
-        if (picking->lights->last ? !(often > light->chance)
-                                  : !(picking->passed > picking->along + 0.5))
+        if (picking->lights->times > 1
+                ? !(often > light->chance)
+                : !(picking->passed > picking->along + 0.5))
             return;
         picking->along++;
     }

@@ -51,7 +51,7 @@ struct virtual_lanes {
  * about. */
 struct virtual_lights {
     size_t count; /* of all parts */
-    bool last;    /* those that a place picks are to stay */
+    int times;    /* more than 1: those that a place picks are to stay */
     struct virtual_light *at;
     struct virtual_lanes lanes[GATHER_PARTS];
     double side; /* of cells, */
@@ -66,10 +66,11 @@ struct virtual_lights {
     } cell[VIRTUAL_SLOTS]; /* a hash table, never full */
 };
 
-/* Of the surfaces in these places and in the cells beside them; `last`: the
- * picture is one of an animation's. Freed with virtual_lights_free. */
+/* Of the surfaces in these places and in the cells beside them; `times` as many
+ * as a picture by itself needs, for one of an animation's. Freed with
+ * virtual_lights_free. */
 struct virtual_lights *virtual_lights_new(const struct bright *lit,
-                                          const struct lamps *lamps, bool last,
+                                          const struct lamps *lamps, int times,
                                           struct worker *worker);
 void virtual_lights_free(struct virtual_lights *lights);
 

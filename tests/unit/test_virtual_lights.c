@@ -39,7 +39,7 @@ static const struct virtual_cell *patch_cell(const struct patch *patch)
 }
 
 /* Cells of side 1: the patch is in four of them. */
-static struct patch patch_new(const char *text, double worth, bool last)
+static struct patch patch_new(const char *text, double worth, int times)
 {
     struct bright lit = { .count = 4, .radius = 0.7 };
     struct patch patch = { .all = scene_world_new(text) };
@@ -49,7 +49,7 @@ static struct patch patch_new(const char *text, double worth, bool last)
         };
     patch.lamps = lamps_new(patch.all->world, patch.all->scene, 9, 0);
     patch.worker = (struct worker){ .scratch = arena_new(0) };
-    patch.lights = virtual_lights_new(&lit, &patch.lamps, last, &patch.worker);
+    patch.lights = virtual_lights_new(&lit, &patch.lamps, times, &patch.worker);
     patch.picks = VIRTUAL_PICKS_USUAL;
     return patch;
 }
@@ -96,9 +96,9 @@ static void assert_about(double value, double wanted)
         fail_msg("%g, not %g", value, wanted);
 }
 
-static void all_light(bool last)
+static void all_light(int times)
 {
-    struct patch patch = patch_new(LIT, 1, last);
+    struct patch patch = patch_new(LIT, 1, times);
     assert_true(patch.lights->count > 0 && patch_cell(&patch)->near < 1);
     for (double height = 2; height <= 4; height++)
         for (double beside = 0; beside <= 3; beside++) {
@@ -115,15 +115,15 @@ static void all_light(bool last)
 static void test_all_light(void **state)
 {
     (void)state;
-    all_light(false);
-    all_light(true);
+    all_light(1);
+    all_light(4);
 }
 
 /* What they bring and what gather rays are left with is all. */
 static void test_shares(void **state)
 {
     const vec3 up = { 0, 1, 0 }, down = { 0, -1, 0 }, middle = { 0, 0, 0 };
-    struct patch patch = patch_new(LIT, 0.5, false);
+    struct patch patch = patch_new(LIT, 0.5, 1);
     const struct virtual_lights *lights = patch.lights;
     (void)state;
     const double near = patch_cell(&patch)->near;
@@ -137,9 +137,9 @@ static void test_shares(void **state)
 }
 
 /* Few that are picked bring what all do; none that faces away is. */
-static void picks_some(bool last)
+static void picks_some(int times)
 {
-    struct patch patch = patch_new(LIT, 1, last);
+    struct patch patch = patch_new(LIT, 1, times);
     struct virtual_pick picks[VIRTUAL_PICKS_MOST];
     patch.picks = 32;
     for (double beside = 0; beside <= 3; beside++) {
@@ -159,16 +159,16 @@ static void picks_some(bool last)
 static void test_picks(void **state)
 {
     (void)state;
-    picks_some(false);
-    picks_some(true);
+    picks_some(1);
+    picks_some(4);
 }
 
 /* Where a quarter of the disc gets dark, what is picked of the others stays,
  * but that there are more of these. */
 static void test_stays(void **state)
 {
-    struct patch before = patch_new(LIT, 1, true);
-    struct patch after = patch_new(LIT "box { <0, .9, 0>, 1 }", 1, true);
+    struct patch before = patch_new(LIT, 1, 4);
+    struct patch after = patch_new(LIT "box { <0, .9, 0>, 1 }", 1, 4);
     struct virtual_pick old[VIRTUAL_PICKS_MOST], new[VIRTUAL_PICKS_MOST];
     const vec3 place = { 0, 0.8, -3 };
     (void)state;
@@ -194,7 +194,7 @@ static void test_negative(void **state)
     struct patch patch = patch_new(
         LIT "light_source { <0, 1, 0>, rgb <-6, 0, 2> cylinder radius .8 "
             "falloff .8001 tightness 0 point_at 0 parallel } ",
-        1, false);
+        1, 1);
     double share = seen_share(3, 0);
     rgb light = patch_gives(&patch, vec3_make(0, 3, 0));
     (void)state;
@@ -207,10 +207,10 @@ static void test_negative(void **state)
 static void test_hidden(void **state)
 {
     struct patch patch =
-        patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1, false);
+        patch_new(LIT "box { <-9, 1.5, -9>, <9, 1.6, 9> }", 1, 1);
     struct patch dark = patch_new("camera { location <0, 2, 0> look_at 0 } "
                                   "plane { y, 0 pigment { rgb 1 } }",
-                                  1, false);
+                                  1, 1);
     (void)state;
     assert_true(patch_gives(&patch, vec3_make(0, 3, 0)).r == 0);
     assert_true(patch_gives(&patch, vec3_make(0, 1.4, 0)).r > 0);
