@@ -16,19 +16,40 @@
 
 enum { SAVE_BUFFER = 1 << 18 }; /* bytes */
 
+enum { LINKS_MOST = 40 }; /* behind each other; what Linux follows */
+
+/* Puts in place of a link's path that of what it names. */
+static bool save_follow(char target[PATH_MAX], const char *named)
+{
+    char *slash = strrchr(target, '/');
+    size_t folder = named[0] != '/' && slash ? (size_t)(slash + 1 - target) : 0;
+    if (folder + strlen(named) >= PATH_MAX) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    strcpy(target + folder, named);
+    return true;
+}
+
 /* What a name stands for once symbolic links are followed, so that a link
- * keeps its place and the file it names is the one replaced. */
+ * keeps its place and the file it names is the one replaced, or made. */
 static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
                          size_t size)
 {
-    if (realpath(path, target))
-        return true;
-    if (strlen(path) >= PATH_MAX) {
-        snprintf(error, size, "%s", strerror(ENAMETOOLONG));
-        return false;
+    char named[PATH_MAX];
+    ssize_t length;
+    target[0] = '\0';
+    bool good = save_follow(target, path);
+    for (int i = 0; good; i++) {
+        length = readlink(target, named, sizeof named - 1);
+        if (length < 0)
+            return true; /* no link; whether it is there is asked elsewhere */
+        named[length] = '\0';
+        errno = ELOOP;
+        good = i < LINKS_MOST && save_follow(target, named);
     }
-    strcpy(target, path);
-    return true;
+    snprintf(error, size, "%s", strerror(errno));
+    return false;
 }
 
 /* Devices and pipes (/dev/null, /dev/stdout) are written to, not replaced. */

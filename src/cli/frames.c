@@ -47,8 +47,6 @@ const char *frames_resolve(struct frames *frames, struct arena *arena)
         return arena_printf(arena,
                             "Final_Frame %.0f is before Initial_Frame %.0f",
                             final, initial);
-    if (frames->step == 0)
-        return "Frame_Step must not be 0";
     frames->animated = true;
     frames->first = (int)initial;
     frames->last = (int) final;
