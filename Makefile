@@ -156,6 +156,14 @@ $(BUILD)/text/build.inc: $(sort $(shell find src -name '*.[ch]' -o -name '*.cpp'
 $(BUILD)/src/cli/build.o: $(BUILD)/text/build.inc
 $(BUILD)/src/cli/build.o: override CPPFLAGS += -I$(BUILD)/text
 
+# What the program and its module must have in common: see src/image/codec.h.
+CODEC_OBJECTS = $(BUILD)/src/image/file.o $(BUILD)/src/image/file.cpp.o
+$(BUILD)/text/codec.inc: $(sort $(wildcard src/image/*.[ch] src/image/*.cpp))
+	@mkdir -p $(@D)
+	@cat $^ | sha256sum | sed 's/^\(.\{16\}\).*/"\1"/' > $@
+$(CODEC_OBJECTS): $(BUILD)/text/codec.inc
+$(CODEC_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
+
 # A twentieth of its time isn't worth half the time of building everything.
 $(BUILD)/glim-view: $(VIEW_OBJECTS) $(BUILD)/libglim.a | $(MODULE)
 	$(call TICK,link $@)

@@ -66,6 +66,10 @@ static void *file_module(char *error, size_t size)
     return module;
 }
 
+static const char build[] =
+#include "codec.inc"
+    ;
+
 /* A function of the module, or NULL with the reason. */
 static void *file_codec(const char *name, char *error, size_t size)
 {
@@ -73,8 +77,8 @@ static void *file_codec(const char *name, char *error, size_t size)
     void *function = module ? dlsym(module, name) : NULL;
     if (!module)
         return NULL;
-    const size_t *layout = dlsym(module, "codec_layout");
-    if (function && layout && *layout == CODEC_LAYOUT)
+    const char *of = dlsym(module, "codec_build");
+    if (function && of && strcmp(of, build) == 0)
         return function;
     snprintf(error, size,
              MODULE " belongs to another glim: type make, or make install, "

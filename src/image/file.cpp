@@ -334,7 +334,9 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
 }
 
 extern "C" {
-const size_t codec_layout = CODEC_LAYOUT;
+const char codec_build[] =
+#include "codec.inc"
+    ;
 }
 
 // ------------------------------------------- nothing is thrown at C callers
