@@ -32,7 +32,8 @@ static bool save_follow(char target[PATH_MAX], const char *named)
 }
 
 /* What a name stands for once symbolic links are followed, so that a link
- * keeps its place and the file it names is the one replaced, or made. */
+ * keeps its place and the file it names is the one replaced, or made. Of a pipe
+ * (/dev/stdout) the link tells no path. */
 static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
                          size_t size)
 {
@@ -40,6 +41,8 @@ static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
     ssize_t length;
     target[0] = '\0';
     bool good = save_follow(target, path);
+    if (good && path_is_special(target))
+        return true;
     for (int i = 0; good; i++) {
         length = readlink(target, named, sizeof named - 1);
         if (length < 0)
@@ -50,13 +53,6 @@ static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
     }
     snprintf(error, size, "%s", strerror(errno));
     return false;
-}
-
-/* Devices and pipes (/dev/null, /dev/stdout) are written to, not replaced. */
-static bool save_is_special(const char *path)
-{
-    struct stat status;
-    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
 }
 
 bool save_possible(const char *path, char *error, size_t size)
@@ -75,7 +71,7 @@ bool save_possible(const char *path, char *error, size_t size)
         snprintf(error, size, "%s", strerror(errno));
         return false;
     }
-    if (!save_is_special(target)) {
+    if (!path_is_special(target)) {
         char *slash = strrchr(target, '/');
         if (slash)
             slash[slash == target] = '\0';
@@ -220,7 +216,7 @@ struct save *save_start(const char *path, char *error, size_t size)
         strcpy(save->target, path);
     else
         good = save_resolve(path, save->target, error, size);
-    save->special = standard || (good && save_is_special(save->target));
+    save->special = standard || (good && path_is_special(save->target));
     if (good && !save->special)
         good = save_start_new(save, error, size);
     if (good)

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/directory.h"
 #include "base/text.h"
 #include "cli/output_name.h"
 #include "tracer/integrator.h"
@@ -63,6 +64,23 @@ bool option_wants(struct option_reader *reader, const struct option *option,
     return option_fail(reader, setting, "%s needs a value: type %s%s",
                        option->key ? option->key : option->word,
                        option_typed(reader, option, setting), example);
+}
+
+/* The same of a file's name. Shells replace a '~' that begins a word, and INI
+ * files none. */
+static bool option_wants_name(struct option_reader *reader,
+                              const struct option *option,
+                              const struct setting *setting,
+                              const char *example)
+{
+    const char *name = setting->value, *home = getenv("HOME");
+    if (!option_wants(reader, option, setting, example))
+        return false;
+    if (strncmp(name, "~/", 2) != 0 || path_is_directory("~"))
+        return true;
+    return option_fail(reader, setting, "a '~' means nothing here: type %s%s%s",
+                       option_typed(reader, option, setting),
+                       home ? home : "/home/me", name + 1);
 }
 
 bool option_read_number(struct option_reader *reader,
@@ -289,7 +307,7 @@ bool set_library(struct option_reader *reader, const struct option *option,
 {
     if (option_is_void(setting))
         return true;
-    if (!option_wants(reader, option, setting, "dir"))
+    if (!option_wants_name(reader, option, setting, "dir"))
         return false;
     if (reader->library.count >= LIBRARY_LIMIT)
         return option_fail(reader, setting,
@@ -304,7 +322,7 @@ bool set_header(struct option_reader *reader, const struct option *option,
 {
     if (option_is_void(setting))
         return true;
-    if (!option_wants(reader, option, setting, "file.inc"))
+    if (!option_wants_name(reader, option, setting, "file.inc"))
         return false;
     *ARRAY_PUSH(reader->arena, &reader->headers) = setting->value;
     return true;
@@ -315,7 +333,7 @@ bool set_input(struct option_reader *reader, const struct option *option,
 {
     if (option_is_void(setting))
         return true;
-    if (!option_wants(reader, option, setting, "scene.pov"))
+    if (!option_wants_name(reader, option, setting, "scene.pov"))
         return false;
     reader->options->input = setting->value;
     return true;
@@ -335,7 +353,7 @@ bool set_output(struct option_reader *reader, const struct option *option,
 {
     if (option_is_void(setting))
         return true;
-    if (!option_wants(reader, option, setting, "picture"))
+    if (!option_wants_name(reader, option, setting, "picture"))
         return false;
     reader->output = setting->value;
     return true;

@@ -227,7 +227,7 @@ static bool options_name_table(struct option_reader *reader)
                    "input");
         return false;
     }
-    if (said[strlen(said) - 1] == '/')
+    if (output_is_folder(said))
         options->output =
             output_name(said, options->input, &text, reader->arena);
     options->named = options->output;
@@ -245,7 +245,7 @@ static bool options_name_output(struct option_reader *reader)
         return true;
     bool stdin_named = strcmp(options->input, "-") == 0;
     const char *said = reader->output;
-    if (stdin_named && (!said || said[strlen(said) - 1] == '/')) {
+    if (stdin_named && (!said || output_is_folder(said))) {
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
                    "a scene from standard input has no name: type +Oname for "
                    "the picture, or +O- for standard output");
