@@ -74,7 +74,8 @@ override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 PICTURE_LDLIBS     = -lpng -ljpeg -lz -lpthread -lm -ldl
 override LDLIBS   += $(PICTURE_LDLIBS)
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
-# PNG needs none of it, nor do GIF and JPEG to be read, nor EXR to be written.
+# PNG and PPM need none of it, nor do GIF and JPEG to be read, nor EXR to be
+# written.
 ifneq ($(IMAGES),png)
 MODULE = $(BUILD)/glim-image.so
 IMAGE_PACKAGES = libopenimageio-dev

@@ -81,6 +81,12 @@ static const char *guess_synonym(const char *name)
         { "s", "+W320 +H240" },
         { "resolution", "+W320 +H240" },
         { "frames", "+KFF10" },
+        { "width", "+W320" },
+        { "height", "+H240" },
+        { "quality", "+Q9" },
+        { "clock", "+K0" },
+        { "continue", "+C" },
+        { "resume", "+C" },
         { "jobs", "--threads 4" },
         { "t", "--threads 4" },
         { "n", "--threads 4" },
@@ -250,6 +256,18 @@ static const char *guess_in_file(struct arena *arena, const struct guess *guess)
     return hint ? hint : guess_letters(arena, guess);
 }
 
+/* "type +W320", with the number that was typed if there is one. */
+static const char *guess_numbered(struct arena *arena, const char *synonym,
+                                  const char *said)
+{
+    double number;
+    int letters = (int)strcspn(synonym, "0123456789. ");
+    bool one = synonym[0] == '+' && synonym[letters] && !strchr(synonym, ' ');
+    return one && said && option_number(said, &number)
+               ? arena_printf(arena, "type %.*s%s", letters, synonym, said)
+               : arena_printf(arena, "type %s", synonym);
+}
+
 /* -output x.png, -threads 4; NULL: neither another program's nor a word. */
 static const char *guess_other(struct option_reader *reader, const char *next,
                                const struct guess *guess)
@@ -268,7 +286,8 @@ static const char *guess_other(struct option_reader *reader, const char *next,
     if (synonym || (word && word->argument))
         reader->took_next = next && !strpbrk(next, "+-=./");
     if (synonym)
-        return arena_printf(arena, "type %s", synonym);
+        return guess_numbered(arena, synonym,
+                              *guess->rest == '=' ? guess->rest + 1 : next);
     return word ? arena_printf(arena, "type --%s%s%s%s", guess->plain,
                                guess->rest, reader->took_next ? " " : "",
                                reader->took_next ? next : "")

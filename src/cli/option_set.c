@@ -494,7 +494,13 @@ bool set_ignored(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
     double number;
-    if (!option_has_more(setting) || option->offset == IGNORED_TEXT)
+    if (!option_has_more(setting))
+        return true;
+    if (strcmp(option->key, "Display") == 0 && strchr(setting->value, '='))
+        return option_fail(reader, setting,
+                           "-D is POV-Ray's preview window: type Declare=%s",
+                           setting->value);
+    if (option->offset == IGNORED_TEXT)
         return true;
     return option->offset == IGNORED_NUMBER
                ? option_read_number(reader, option, setting, &number)

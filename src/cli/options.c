@@ -243,11 +243,12 @@ static bool options_name_output(struct option_reader *reader)
     bool writes = options->to_file && options->action == ACTION_RENDER;
     if (!writes && !options->depend.file && !options->depend.on)
         return true;
-    bool stdin_named = strcmp(options->input, "-") == 0;
+    bool nameless = output_is_fixed(options->input);
     const char *said = reader->output;
-    if (stdin_named && (!said || output_is_folder(said))) {
+    if (nameless && (!said || output_is_folder(said))) {
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-                   "a scene from standard input has no name: type +Oname for "
+                   "a scene from standard input or a pipe has no name: type "
+                   "+Oname for "
                    "the picture, or +O- for standard output");
         return false;
     }

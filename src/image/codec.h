@@ -1,7 +1,7 @@
 /* What file.c asks of the C++ half, which is a module of its own, loaded when
  * the first picture is read or written: OpenImageIO brings 250 libraries along
  * and takes 0.3 s of processor time to load, which nobody should wait for who
- * only has an error reported or writes a PNG or an EXR. */
+ * only has an error reported or writes a PNG, a PPM or an EXR. */
 #ifndef IMAGE_CODEC_H
 #define IMAGE_CODEC_H
 

@@ -19,6 +19,7 @@
 #include "image/jpeg.h"
 #include "image/kind.h"
 #include "image/png.h"
+#include "image/pnm.h"
 
 #define MODULE "glim-image.so"
 
@@ -91,6 +92,7 @@ static codec_stream_function *
 file_own_encoder(const struct image_format *format)
 {
     return strcmp(format->type, "png") == 0       ? png_encode
+           : strcmp(format->type, "pnm") == 0     ? pnm_encode
            : strcmp(format->type, "openexr") == 0 ? exr_encode
                                                   : NULL;
 }
@@ -198,6 +200,8 @@ file_own_decoder(const char *path, const struct codec_target *target)
         return gif_decode;
     if (strcmp(target->type, "jpeg") == 0 && jpeg_is_ours(path))
         return jpeg_decode;
+    if (strcmp(target->type, "pnm") == 0 && pnm_is_ours(path))
+        return pnm_decode;
     return strcmp(target->type, "png") == 0 ? png_decode : NULL;
 }
 

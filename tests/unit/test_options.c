@@ -361,8 +361,8 @@ static void errors_say_what_to_type(void **state)
     bad("scene.pov +FS",
         "glim: error: '+FS': there is no file type 'S': type +FN for PNG, "
         "+FE for OpenEXR, +FJ for JPEG; --list formats shows all\n");
-    bad("-", "glim: error: a scene from standard input has no name: type "
-             "+Oname for the picture, or +O- for standard output\n");
+    bad("-", "glim: error: a scene from standard input or a pipe has no name: "
+             "type +Oname for the picture, or +O- for standard output\n");
     bad("none.pov", "glim: error: there is no scene 'none.pov', neither here "
                     "nor along the library path\n");
 }
