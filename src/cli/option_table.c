@@ -329,7 +329,7 @@ static const struct option table[] = {
     NOTHING(NULL, "Test_Abort_Count"),
     NOTHING("HR", "High_Reproducibility"),
     NOTHING(NULL, "Antialias_Confidence"),
-    NOTHING("TH", "Dither"),
+    NOTHING_OF("TH", "Dither", IGNORED_TEXT),
     NOTHING(NULL, "Dither_Method"),
     NOTHING_OF("MB", "Bounding", IGNORED_NUMBER),
     NOTHING(NULL, "Bounding_Threshold"),
