@@ -243,7 +243,10 @@ static bool options_name_output(struct option_reader *reader)
     bool writes = options->to_file && options->action == ACTION_RENDER;
     if (!writes && !options->depend.file && !options->depend.on)
         return true;
-    bool nameless = output_is_fixed(options->input);
+    /* <(...) of a shell is /dev/fd/63. */
+    bool nameless = strcmp(options->input, "-") == 0 ||
+                    strcmp(options->input, "/dev/stdin") == 0 ||
+                    strncmp(options->input, "/dev/fd/", 8) == 0;
     const char *said = reader->output;
     if (nameless && (!said || output_is_folder(said))) {
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
