@@ -74,7 +74,8 @@ override CPPFLAGS += -Isrc -D_POSIX_C_SOURCE=200809L -D_DEFAULT_SOURCE \
 PICTURE_LDLIBS     = -lpng -ljpeg -lz -lpthread -lm -ldl
 override LDLIBS   += $(PICTURE_LDLIBS)
 # Image files are a module of their own, loaded when needed: see src/image/codec.h.
-# PNG needs none of it, nor do GIF and JPEG to be read, nor EXR to be written.
+# PNG and PPM need none of it, nor do GIF and JPEG to be read, nor EXR to be
+# written.
 ifneq ($(IMAGES),png)
 MODULE = $(BUILD)/glim-image.so
 IMAGE_PACKAGES = libopenimageio-dev
@@ -155,6 +156,14 @@ $(BUILD)/text/build.inc: $(sort $(shell find src -name '*.[ch]' -o -name '*.cpp'
 		sha256sum | sed 's/^\(.\{16\}\).*/"\1"/' > $@
 $(BUILD)/src/cli/build.o: $(BUILD)/text/build.inc
 $(BUILD)/src/cli/build.o: override CPPFLAGS += -I$(BUILD)/text
+
+# What the program and its module must have in common: see src/image/codec.h.
+CODEC_OBJECTS = $(BUILD)/src/image/file.o $(BUILD)/src/image/file.cpp.o
+$(BUILD)/text/codec.inc: $(sort $(wildcard src/image/*.[ch] src/image/*.cpp))
+	@mkdir -p $(@D)
+	@cat $^ | sha256sum | sed 's/^\(.\{16\}\).*/"\1"/' > $@
+$(CODEC_OBJECTS): $(BUILD)/text/codec.inc
+$(CODEC_OBJECTS): override CPPFLAGS += -I$(BUILD)/text
 
 # A twentieth of its time isn't worth half the time of building everything.
 $(BUILD)/glim-view: $(VIEW_OBJECTS) $(BUILD)/libglim.a | $(MODULE)

@@ -1,4 +1,4 @@
-/* Directories among paths. */
+/* What a path leads to. */
 #ifndef BASE_DIRECTORY_H
 #define BASE_DIRECTORY_H
 
@@ -10,6 +10,14 @@ static inline bool path_is_directory(const char *path)
 {
     struct stat status;
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/* A device, a pipe or the like: what is written to, but not replaced. */
+static inline bool path_is_special(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode) &&
+           !S_ISDIR(status.st_mode);
 }
 
 #endif

@@ -16,26 +16,43 @@
 
 enum { SAVE_BUFFER = 1 << 18 }; /* bytes */
 
-/* What a name stands for once symbolic links are followed, so that a link
- * keeps its place and the file it names is the one replaced. */
-static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
-                         size_t size)
+enum { LINKS_MOST = 40 }; /* behind each other; what Linux follows */
+
+/* Puts in place of a link's path that of what it names. */
+static bool save_follow(char target[PATH_MAX], const char *named)
 {
-    if (realpath(path, target))
-        return true;
-    if (strlen(path) >= PATH_MAX) {
-        snprintf(error, size, "%s", strerror(ENAMETOOLONG));
+    char *slash = strrchr(target, '/');
+    size_t folder = named[0] != '/' && slash ? (size_t)(slash + 1 - target) : 0;
+    if (folder + strlen(named) >= PATH_MAX) {
+        errno = ENAMETOOLONG;
         return false;
     }
-    strcpy(target, path);
+    strcpy(target + folder, named);
     return true;
 }
 
-/* Devices and pipes (/dev/null, /dev/stdout) are written to, not replaced. */
-static bool save_is_special(const char *path)
+/* What a name stands for once symbolic links are followed, so that a link
+ * keeps its place and the file it names is the one replaced, or made. Of a pipe
+ * (/dev/stdout) the link tells no path. */
+static bool save_resolve(const char *path, char target[PATH_MAX], char *error,
+                         size_t size)
 {
-    struct stat status;
-    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+    char named[PATH_MAX];
+    ssize_t length;
+    target[0] = '\0';
+    bool good = save_follow(target, path);
+    if (good && path_is_special(target))
+        return true;
+    for (int i = 0; good; i++) {
+        length = readlink(target, named, sizeof named - 1);
+        if (length < 0)
+            return true; /* no link; whether it is there is asked elsewhere */
+        named[length] = '\0';
+        errno = ELOOP;
+        good = i < LINKS_MOST && save_follow(target, named);
+    }
+    snprintf(error, size, "%s", strerror(errno));
+    return false;
 }
 
 bool save_possible(const char *path, char *error, size_t size)
@@ -54,7 +71,7 @@ bool save_possible(const char *path, char *error, size_t size)
         snprintf(error, size, "%s", strerror(errno));
         return false;
     }
-    if (!save_is_special(target)) {
+    if (!path_is_special(target)) {
         char *slash = strrchr(target, '/');
         if (slash)
             slash[slash == target] = '\0';
@@ -199,7 +216,7 @@ struct save *save_start(const char *path, char *error, size_t size)
         strcpy(save->target, path);
     else
         good = save_resolve(path, save->target, error, size);
-    save->special = standard || (good && save_is_special(save->target));
+    save->special = standard || (good && path_is_special(save->target));
     if (good && !save->special)
         good = save_start_new(save, error, size);
     if (good)

@@ -3,6 +3,7 @@
 
 #include "base/writer.h"
 #include "cli/output_name.h"
+#include "cli/picture.h"
 
 /* What means something to make in a rule's names. */
 static const char special[] = " \t#%:*?[]~";
@@ -25,13 +26,25 @@ static bool depend_can(const char *name)
     return *name && !strpbrk(name, "\n\r");
 }
 
+/* What is made: the light mesh alone, or each picture. NULL: it is called
+ * nothing, as on standard output. */
+static const char *depend_made(const struct options *options)
+{
+    const struct light_mesh_settings *mesh = &options->light.light_mesh;
+    const char *name = mesh->only ? mesh->save_file : options->named;
+    return name && strcmp(name, "-") != 0 ? name : NULL;
+}
+
 static void depend_targets(struct writer *text, const struct options *options,
                            const struct targets *targets)
 {
     const char *said = options->depend.target;
+    bool mesh = options->light.light_mesh.only;
     if (said)
         writer_add(text, said, strlen(said));
-    for (size_t i = 0; !said && i < targets->count; i++) {
+    else if (mesh)
+        depend_name(text, depend_made(options));
+    for (size_t i = 0; !said && !mesh && i < targets->count; i++) {
         if (i)
             writer_add(text, " \\\n  ", 5);
         depend_name(text, targets->items[i]);
@@ -50,16 +63,29 @@ static void depend_file(struct writer *text, const char *path, bool there)
         writer_print(text, "$(wildcard %s)", path);
 }
 
-/* The name of the file itself: as said, or beside the picture. */
+/* The name of the file itself: as said, or beside what is made. NULL: none. */
 static const char *depend_path(const struct options *options,
-                               const struct targets *targets,
                                struct arena *arena)
 {
     const struct depend *depend = &options->depend;
-    if (depend->file || !depend->on || targets->count == 0)
+    const char *made = depend_made(options);
+    if (depend->file || !depend->on || !made)
         return depend->file;
-    const char *name = options->named ? options->named : targets->items[0];
-    return arena_printf(arena, "%.*s.d", (int)output_stem(name), name);
+    return arena_printf(arena, "%.*s.d", (int)output_stem(made), made);
+}
+
+bool depend_can_be(const struct options *options, struct arena *arena,
+                   struct diag *diag)
+{
+    const struct depend *depend = &options->depend;
+    if ((depend->file || depend->on) && !depend->target &&
+        !depend_made(options)) {
+        diag_print(diag, DIAG_ERROR, span_none(), NULL,
+                   "a rule for make needs a target, and standard output is "
+                   "none: add -MT NAME");
+        return false;
+    }
+    return picture_can_be(depend_path(options, arena), diag);
 }
 
 static bool depend_counts(const struct file_list *files, size_t i)
@@ -73,8 +99,9 @@ bool depend_write(const struct options *options, const struct targets *targets,
     struct writer text = writer_new();
     char why[256];
     bool done = true;
-    const char *path = depend_path(options, targets, text.arena);
-    if (path && (targets->count > 0 || options->depend.target)) {
+    const char *path = depend_path(options, text.arena);
+    if (path && (options->depend.target || options->light.light_mesh.only ||
+                 targets->count > 0)) {
         depend_targets(&text, options, targets);
         for (size_t i = 0; i < files->count; i++)
             if (depend_counts(files, i))

@@ -10,6 +10,11 @@ struct targets {
     size_t count, capacity;
 };
 
+/* Whether there is a target, and the rule's file can be written, found out
+ * before the work. Returns false after an error was printed. */
+bool depend_can_be(const struct options *options, struct arena *arena,
+                   struct diag *diag);
+
 /* Writes "TARGETS: FILES" in one step: what was read, and in $(wildcard ...)
  * what was looked for and not there, which make must not want. With
  * options->depend.phony each file is a target of its own as well, so that make

@@ -50,6 +50,7 @@ static bool frame_write(struct work *work, const struct tracer *tracer,
         return true;
     if (part_has_bands(options, name))
         return part_write(&work->part, file.settings, name, file.origin, image);
+    part_make_room(&work->part);
     return picture_show(image, options, tracer, work->stop, NULL,
                         &work->diag) &&
            picture_write(image, &file, &work->diag);
@@ -61,7 +62,8 @@ static void frame_rescue(struct work *work, const struct settings *settings,
                          const struct stats *stats)
 {
     const struct options *options = &work->options;
-    const struct picture_file file = { options, settings, name, NULL };
+    const struct picture_file file = { options, settings, name,
+                                       work->origin.items };
     if (!options->render.share.count && !part_has_bands(options, name))
         picture_rescue(image, &file, &stats->rays, &work->unfinished,
                        &work->diag);
@@ -91,6 +93,10 @@ static bool frame_draw(struct work *work, const struct tracer *tracer,
         done = frame_write(work, tracer, name, image);
     if (!done && atomic_load(work->stop))
         frame_rescue(work, settings, name, image, stats);
+    else if (!done && part_is_left(&work->part))
+        progress_left(work->part.path);
+    if (done && !render->share.count)
+        picture_forget_unfinished(name);
     done = part_finish(&work->part, done) && done;
     stats_lap(stats, &stats->writing);
     image_free(image);

@@ -47,8 +47,6 @@ const char *frames_resolve(struct frames *frames, struct arena *arena)
         return arena_printf(arena,
                             "Final_Frame %.0f is before Initial_Frame %.0f",
                             final, initial);
-    if (frames->step == 0)
-        return "Frame_Step must not be 0";
     frames->animated = true;
     frames->first = (int)initial;
     frames->last = (int) final;
@@ -125,7 +123,7 @@ void frames_tell(const struct frames *frames, int number,
 const char *frames_name(const struct frames *frames, int number,
                         const char *output, struct arena *arena)
 {
-    if (!frames->animated || !output || strcmp(output, "-") == 0)
+    if (!frames->animated || !output || output_is_fixed(output))
         return output;
     size_t stem = output_stem(output);
     return arena_printf(arena, "%.*s%0*d%s", (int)stem, output, frames->digits,

@@ -312,6 +312,11 @@ static bool ini_missing(struct option_reader *reader, const char *name,
                            "'%s' is a directory, neither a scene nor an INI "
                            "file",
                            name);
+    if (name[0] == '[')
+        return option_fail(reader, &plain,
+                           "a section stands right behind its file: type "
+                           "FILE.ini%s",
+                           name);
     const char *meant = option_meant(reader->arena, name);
     double number, height;
     size_t across = strcspn(name, "x");
@@ -363,6 +368,8 @@ bool ini_read(struct option_reader *reader, const char *name,
     if (open && open < length && name[length - 1] == ']') {
         section =
             arena_copy_text(reader->arena, name + open + 1, length - open - 2);
+        while (open > 1 && name[open - 1] == ' ')
+            open--;
         name = arena_copy_text(reader->arena, name, open);
     } else if (open && open < length && !strchr(name, ']')) {
         return option_fail(reader, setting, "a ']' is missing at its end");

@@ -110,6 +110,8 @@ static bool check_told(const char *name, const char *made)
     bool current = false;
     if (!whole)
         printf("not whole: %s\n", why);
+    else if (origin_value(made, ORIGIN_UNFINISHED, why, sizeof why))
+        printf("not whole: the work on it was ended\n");
     else if (!origin_value(made, "glim", frame, sizeof frame) ||
              strcmp(frame, GLIM_VERSION) != 0)
         printf("%d x %d, whole, not current: glim %s drew it, and this is "

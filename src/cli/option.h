@@ -52,6 +52,9 @@ struct setting {
     const char *next;       /* the argument after it, or NULL */
 };
 
+/* What may stand behind the letters of an option without effect. */
+enum option_ignored { IGNORED_SWITCH, IGNORED_NUMBER, IGNORED_TEXT };
+
 struct option;
 typedef bool option_set(struct option_reader *reader,
                         const struct option *option,
@@ -63,7 +66,8 @@ struct option {
     const char *key;     /* Width= */
     const char *word;    /* --width */
     option_set *set;
-    size_t offset; /* into struct options; set_action: the action */
+    size_t offset; /* into struct options; set_action: the action;
+                    * set_ignored: an enum option_ignored */
     double minimum, maximum;
     const struct field *fields; /* set_light: its row of this table */
     const char *field;
@@ -109,6 +113,10 @@ const char *option_scene_near(struct arena *arena, const char *name);
  * returns false. */
 bool option_scene_missing(struct option_reader *reader, const char *name);
 
+/* Whether letters without their sign, up to an '=', are a long word or what
+ * other programs call an option: -output=x.png is not +O of "utput=x.png". */
+bool option_is_word(struct arena *arena, const char *text);
+
 /* The option that a bare word may have been meant as: "Width", "H10"; in the
  * arena, or NULL. */
 const char *option_meant(struct arena *arena, const char *text);
@@ -139,10 +147,11 @@ bool option_truth(const char *value, bool *state);
  * for all others. */
 option_set set_light, set_below;
 option_set set_check_picture, set_join, set_progress, set_stats;
-option_set set_switch, set_integer, set_whole, set_number, set_library,
-    set_header, set_input, set_output, set_file_type, set_gamma, set_declare,
-    set_verbose, set_all_consoles, set_lighting, set_action, set_list, set_flag,
-    set_quiet, set_ignored, set_no_command, set_message_file, set_text;
+option_set set_switch, set_integer, set_whole, set_step, set_number,
+    set_library, set_header, set_input, set_output, set_file_type, set_gamma,
+    set_declare, set_verbose, set_all_consoles, set_lighting, set_action,
+    set_list, set_flag, set_quiet, set_ignored, set_no_command,
+    set_message_file, set_text;
 
 /* A whole text as a number; false when it is anything else. */
 bool option_number(const char *text, double *number);

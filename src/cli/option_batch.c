@@ -158,7 +158,7 @@ bool large_resolve(struct option_reader *reader)
     diag_print(
         reader->diag, DIAG_ERROR, span_none(), NULL,
         "%d x %d pixels are too many: glim's limit is %d in all, 16384 x "
-        "16384, but for PNG and OpenEXR files, which it draws in bands",
+        "16384, but for PNG, PPM and OpenEXR files, which it draws in bands",
         render->width, render->height, IMAGE_PIXEL_LIMIT);
     return false;
 }

@@ -81,6 +81,12 @@ static const char *guess_synonym(const char *name)
         { "s", "+W320 +H240" },
         { "resolution", "+W320 +H240" },
         { "frames", "+KFF10" },
+        { "width", "+W320" },
+        { "height", "+H240" },
+        { "quality", "+Q9" },
+        { "clock", "+K0" },
+        { "continue", "+C" },
+        { "resume", "+C" },
         { "jobs", "--threads 4" },
         { "t", "--threads 4" },
         { "n", "--threads 4" },
@@ -99,6 +105,15 @@ static const char *guess_synonym(const char *name)
         { "cpus", "--threads 4" },
     };
     return synonym_find(synonyms, sizeof synonyms / sizeof *synonyms, name);
+}
+
+bool option_is_word(struct arena *arena, const char *text)
+{
+    size_t length = strcspn(text, "=");
+    const char *name = arena_copy_text(arena, text, length);
+    const struct option *letters = option_find_letters(name);
+    bool all = letters && strlen(letters->letters) == length;
+    return !all && (option_find_word(name) || guess_synonym(name));
 }
 
 /* and in an INI file. */
@@ -169,56 +184,145 @@ bool option_scene_missing(struct option_reader *reader, const char *name)
     return false;
 }
 
+/* What was typed, in parts: "--wdith=3" is 2 signs, "wdith" and "=3". */
+struct guess {
+    const char *name, *plain, *rest;
+    size_t signs;
+    const struct option *letters; /* the name begins with them, or NULL */
+};
+
+static struct guess guess_parts(struct arena *arena, const char *name)
+{
+    size_t signs = strspn(name, "+-");
+    size_t length = strcspn(name + signs, "= \t");
+    return (struct guess){
+        .name = name,
+        .plain = arena_copy_text(arena, name + signs, length),
+        .rest = name + signs + length,
+        .signs = signs,
+        .letters = signs == 1 ? option_find_letters(name + 1) : NULL,
+    };
+}
+
+/* The option with the nearest name. */
+static const char *guess_near(struct arena *arena, const struct guess *guess)
+{
+    /* +Wabc is no word mistyped. */
+    if (guess->letters && guess->letters->argument &&
+        strlen(guess->plain) <= 4 && !*guess->rest)
+        return NULL;
+    return guess_spelling(arena, guess->plain, guess->rest, guess->signs == 2);
+}
+
+/* W=320: the row whose letters are all of the name, or NULL. */
+static const struct option *guess_assigned(const struct guess *guess)
+{
+    const struct option *option =
+        guess->signs ? NULL : option_find_letters(guess->plain);
+    return option && strlen(option->letters) == strlen(guess->plain) ? option
+                                                                     : NULL;
+}
+
+static bool guess_is_switch(const struct option *option)
+{
+    if (option->set == set_ignored)
+        return option->offset == IGNORED_SWITCH;
+    return !option->argument ||
+           (strcmp(option->argument, "bool") == 0 && !option->also);
+}
+
+/* What to type for letters with something wrong behind them. */
+static const char *guess_letters(struct arena *arena, const struct guess *guess)
+{
+    const struct option *letters = guess->letters;
+    if (!letters)
+        return NULL;
+    return guess_is_switch(letters)
+               ? arena_printf(arena, "type %c%s, and nothing behind it",
+                              guess->name[0], letters->letters)
+               : arena_printf(
+                     arena, "+%s wants a number; glim --help lists the options",
+                     letters->letters);
+}
+
+static const char *guess_in_file(struct arena *arena, const struct guess *guess)
+{
+    const char *hint = guess_key(guess->plain);
+    const struct option *assigned = guess_assigned(guess);
+    if (!hint)
+        hint = guess_near(arena, guess);
+    if (!hint && assigned)
+        return assigned->key;
+    return hint ? hint : guess_letters(arena, guess);
+}
+
+/* "type +W320", with the number that was typed if there is one. */
+static const char *guess_numbered(struct arena *arena, const char *synonym,
+                                  const char *said)
+{
+    double number;
+    int letters = (int)strcspn(synonym, "0123456789. ");
+    bool one = synonym[0] == '+' && synonym[letters] && !strchr(synonym, ' ');
+    return one && said && option_number(said, &number)
+               ? arena_printf(arena, "type %.*s%s", letters, synonym, said)
+               : arena_printf(arena, "type %s", synonym);
+}
+
+/* -output x.png, -threads 4; NULL: neither another program's nor a word. */
+static const char *guess_other(struct option_reader *reader, const char *next,
+                               const struct guess *guess)
+{
+    struct arena *arena = reader->arena;
+    const char *synonym = guess_synonym(guess->plain);
+    const struct option *word =
+        guess->signs == 1 ? option_find_word(guess->plain) : NULL;
+    bool output = synonym && strcmp(synonym, "+Oname") == 0;
+    if (output && guess->rest[0] == '=' && guess->rest[1])
+        return arena_printf(arena, "type +O%s", guess->rest + 1);
+    if (output && next && !strpbrk(next, "+-=")) {
+        reader->took_next = true;
+        return arena_printf(arena, "type +O%s", next);
+    }
+    if (synonym || (word && word->argument))
+        reader->took_next = next && !strpbrk(next, "+-=./");
+    if (synonym)
+        return guess_numbered(arena, synonym,
+                              *guess->rest == '=' ? guess->rest + 1 : next);
+    return word ? arena_printf(arena, "type --%s%s%s%s", guess->plain,
+                               guess->rest, reader->took_next ? " " : "",
+                               reader->took_next ? next : "")
+                : NULL;
+}
+
+static const char *guess_typed(struct option_reader *reader, const char *next,
+                               const struct guess *guess)
+{
+    struct arena *arena = reader->arena;
+    const struct option *assigned =
+        *guess->rest == '=' ? guess_assigned(guess) : NULL;
+    const char *hint = guess_other(reader, next, guess);
+    const char *near = hint ? NULL : guess_near(arena, guess);
+    if (near)
+        return arena_printf(arena, "did you mean '%s'?", near);
+    if (!hint && assigned)
+        return arena_printf(arena, "type +%s%s", guess->plain, guess->rest + 1);
+    if (!hint)
+        hint = guess_letters(arena, guess);
+    if (!hint && !guess->signs && *guess->rest == '=')
+        return arena_printf(arena,
+                            "type Declare=%s to give the scene a value; glim "
+                            "--help lists the options",
+                            guess->name);
+    return hint ? hint : "glim --help lists the options";
+}
+
 bool option_unknown(struct option_reader *reader, const struct setting *setting,
                     const char *name)
 {
-    struct arena *arena = reader->arena;
-    size_t start = strspn(name, "+-"), length = strcspn(name + start, "= \t");
-    const char *plain = arena_copy_text(arena, name + start, length);
-    const char *rest = name + start + length;
-    bool word = strncmp(name, "--", 2) == 0;
-    const char *hint = guess_spelling(arena, plain, rest, word);
-    const struct option *letters =
-        start == 1 ? option_find_letters(name + 1) : NULL;
-    const struct option *assigned =
-        start == 0 && (*rest == '=' || setting->span.source)
-            ? option_find_letters(plain)
-            : NULL;
-    if (assigned && strlen(assigned->letters) != length)
-        assigned = NULL;
-    /* +Wabc is no word mistyped. */
-    if (letters && letters->argument && length <= 4 && !*rest)
-        hint = NULL;
-    const char *synonym =
-        setting->span.source ? guess_key(plain) : guess_synonym(plain);
-    bool output = synonym && strcmp(synonym, "+Oname") == 0 && setting->next &&
-                  !strpbrk(setting->next, "+-=");
-    if (synonym && setting->span.source) {
-        hint = synonym;
-    } else if (output) {
-        hint = arena_printf(arena, "type +O%s", setting->next);
-        reader->took_next = true;
-    } else if (synonym) {
-        hint = arena_printf(arena, "type %s", synonym);
-        reader->took_next = setting->next && !strpbrk(setting->next, "+-=./");
-    } else if (hint && !setting->span.source) {
-        hint = arena_printf(arena, "did you mean '%s'?", hint);
-    } else if (!hint && assigned) {
-        hint = setting->span.source
-                   ? assigned->key
-                   : arena_printf(arena, "type +%s%s", plain, rest + 1);
-    } else if (!hint && letters && letters->argument) {
-        hint = arena_printf(arena,
-                            "+%s wants a number; glim --help lists the options",
-                            letters->letters);
-    } else if (!hint && start == 0 && !setting->span.source && *rest == '=') {
-        hint = arena_printf(arena,
-                            "type Declare=%s to give the scene a value; glim "
-                            "--help lists the options",
-                            name);
-    } else if (!hint && !setting->span.source) {
-        hint = "glim --help lists the options";
-    }
+    struct guess guess = guess_parts(reader->arena, name);
+    const char *hint = setting->span.source
+                           ? guess_in_file(reader->arena, &guess)
+                           : guess_typed(reader, setting->next, &guess);
     diag_print(reader->diag, DIAG_ERROR, setting->span, hint,
                "unknown option '%s'", name);
     return false;

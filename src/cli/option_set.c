@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/directory.h"
 #include "base/text.h"
 #include "cli/output_name.h"
 #include "tracer/integrator.h"
@@ -41,6 +42,13 @@ static const char *option_typed(struct option_reader *reader,
     return arena_printf(reader->arena, "%s=", option->key);
 }
 
+/* "Include_Header=" says nothing, as in POV-Ray: programs that write INI files
+ * name every key. */
+static bool option_is_void(const struct setting *setting)
+{
+    return setting->by_key && setting->value && !*setting->value;
+}
+
 bool option_wants(struct option_reader *reader, const struct option *option,
                   const struct setting *setting, const char *example)
 {
@@ -58,6 +66,23 @@ bool option_wants(struct option_reader *reader, const struct option *option,
                        option_typed(reader, option, setting), example);
 }
 
+/* The same of a file's name. Shells replace a '~' that begins a word, and INI
+ * files none. */
+static bool option_wants_name(struct option_reader *reader,
+                              const struct option *option,
+                              const struct setting *setting,
+                              const char *example)
+{
+    const char *name = setting->value, *home = getenv("HOME");
+    if (!option_wants(reader, option, setting, example))
+        return false;
+    if (strncmp(name, "~/", 2) != 0 || path_is_directory("~"))
+        return true;
+    return option_fail(reader, setting, "a '~' means nothing here: type %s%s%s",
+                       option_typed(reader, option, setting),
+                       home ? home : "/home/me", name + 1);
+}
+
 bool option_read_number(struct option_reader *reader,
                         const struct option *option,
                         const struct setting *setting, double *number)
@@ -67,12 +92,8 @@ bool option_read_number(struct option_reader *reader,
     if (option_number(setting->value, number))
         return true;
     if (!setting->by_key && !isdigit((unsigned char)*setting->value) &&
-        !strchr("+-.=", *setting->value))
+        !strchr("+-.", *setting->value))
         return option_unknown(reader, setting, setting->shown);
-    if (*setting->value == '=' && option_number(setting->value + 1, number))
-        return option_fail(reader, setting, "no '=' stands here: type %s%s",
-                           option_typed(reader, option, setting),
-                           setting->value + 1);
     size_t first = strspn(setting->value, "0123456789.");
     if (!setting->by_key && first && strchr("+- ", setting->value[first]))
         return option_fail(reader, setting,
@@ -122,12 +143,27 @@ bool set_whole(struct option_reader *reader, const struct option *option,
     return true;
 }
 
+/* 0 is 1, as in POV-Ray. */
+bool set_step(struct option_reader *reader, const struct option *option,
+              const struct setting *setting)
+{
+    double *step = option_place(reader, option);
+    if (!set_whole(reader, option, setting))
+        return false;
+    if (*step == 0) {
+        option_warn(reader, setting, "%s 0 counts as 1: every frame",
+                    option->key);
+        *step = 1;
+    }
+    return true;
+}
+
 /* Where POV-Ray takes any number and uses the nearest it can, so does this. */
 static bool option_is_lenient(const struct option *option)
 {
     static const char *const keys[] = {
-        "Antialias_Depth", "Sampling_Method", "Quality",
-        "Bits_Per_Color",  "Warning_Level",   "Render_Block_Size"
+        "Antialias_Depth", "Sampling_Method",   "Quality",     "Bits_Per_Color",
+        "Warning_Level",   "Render_Block_Size", "Compression", "Work_Threads",
     };
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         if (strcmp(option->key, keys[i]) == 0)
@@ -197,10 +233,16 @@ static bool option_state(struct option_reader *reader,
     return state;
 }
 
+/* Whether something stands behind a switch's letters. */
+static bool option_has_more(const struct setting *setting)
+{
+    return !setting->by_key && setting->value && *setting->value;
+}
+
 bool set_switch(struct option_reader *reader, const struct option *option,
                 const struct setting *setting)
 {
-    bool has_value = !setting->by_key && setting->value && *setting->value;
+    bool has_value = option_has_more(setting);
     if (has_value && !option->also)
         return option_unknown(reader, setting, setting->shown);
     *(bool *)option_place(reader, option) =
@@ -214,7 +256,8 @@ bool set_switch(struct option_reader *reader, const struct option *option,
 bool set_flag(struct option_reader *reader, const struct option *option,
               const struct setting *setting)
 {
-    (void)setting;
+    if (option_has_more(setting))
+        return option_unknown(reader, setting, setting->shown);
     *(bool *)option_place(reader, option) = true;
     return true;
 }
@@ -222,6 +265,8 @@ bool set_flag(struct option_reader *reader, const struct option *option,
 bool set_verbose(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
+    if (option_has_more(setting))
+        return option_unknown(reader, setting, setting->shown);
     /* Debian's povray.ini says Verbose=On. */
     if (!reader->startup)
         reader->options->progress = option_state(reader, option, setting)
@@ -235,9 +280,8 @@ bool set_all_consoles(struct option_reader *reader, const struct option *option,
 {
     reader->options->messages = reader->options->warnings =
         option_state(reader, option, setting);
-    if (setting->by_key || !setting->value || !*setting->value)
-        return true;
-    return set_message_file(reader, option, setting);
+    return !option_has_more(setting) ||
+           set_message_file(reader, option, setting);
 }
 
 bool set_quiet(struct option_reader *reader, const struct option *option,
@@ -261,7 +305,9 @@ void option_add_library(struct option_reader *reader, const char *directory)
 bool set_library(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
-    if (!option_wants(reader, option, setting, "dir"))
+    if (option_is_void(setting))
+        return true;
+    if (!option_wants_name(reader, option, setting, "dir"))
         return false;
     if (reader->library.count >= LIBRARY_LIMIT)
         return option_fail(reader, setting,
@@ -274,7 +320,9 @@ bool set_library(struct option_reader *reader, const struct option *option,
 bool set_header(struct option_reader *reader, const struct option *option,
                 const struct setting *setting)
 {
-    if (!option_wants(reader, option, setting, "file.inc"))
+    if (option_is_void(setting))
+        return true;
+    if (!option_wants_name(reader, option, setting, "file.inc"))
         return false;
     *ARRAY_PUSH(reader->arena, &reader->headers) = setting->value;
     return true;
@@ -283,7 +331,9 @@ bool set_header(struct option_reader *reader, const struct option *option,
 bool set_input(struct option_reader *reader, const struct option *option,
                const struct setting *setting)
 {
-    if (!option_wants(reader, option, setting, "scene.pov"))
+    if (option_is_void(setting))
+        return true;
+    if (!option_wants_name(reader, option, setting, "scene.pov"))
         return false;
     reader->options->input = setting->value;
     return true;
@@ -301,7 +351,9 @@ bool set_text(struct option_reader *reader, const struct option *option,
 bool set_output(struct option_reader *reader, const struct option *option,
                 const struct setting *setting)
 {
-    if (!option_wants(reader, option, setting, "picture"))
+    if (option_is_void(setting))
+        return true;
+    if (!option_wants_name(reader, option, setting, "picture"))
         return false;
     reader->output = setting->value;
     return true;
@@ -372,6 +424,8 @@ static size_t option_name_length(const char *text)
 bool set_declare(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
+    if (option_is_void(setting))
+        return true;
     if (!option_wants(reader, option, setting, "Name=1"))
         return false;
     size_t length = option_name_length(setting->value);
@@ -435,13 +489,22 @@ bool set_list(struct option_reader *reader, const struct option *option,
     return true;
 }
 
+/* What has no effect may still be a slip of the pen: -Xa, -version. */
 bool set_ignored(struct option_reader *reader, const struct option *option,
                  const struct setting *setting)
 {
-    (void)reader;
-    (void)option;
-    (void)setting;
-    return true;
+    double number;
+    if (!option_has_more(setting))
+        return true;
+    if (strcmp(option->key, "Display") == 0 && strchr(setting->value, '='))
+        return option_fail(reader, setting,
+                           "-D is POV-Ray's preview window: type Declare=%s",
+                           setting->value);
+    if (option->offset == IGNORED_TEXT)
+        return true;
+    return option->offset == IGNORED_NUMBER
+               ? option_read_number(reader, option, setting, &number)
+               : option_unknown(reader, setting, setting->shown);
 }
 
 bool set_no_command(struct option_reader *reader, const struct option *option,

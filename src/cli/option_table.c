@@ -59,7 +59,12 @@
     LIGHT_OF("mesh paper", k, w, table, name, value, text)
 #define VOID(k, w, table, name, value, text)                                   \
     LIGHT_OF("skeleton mesh path", k, w, table, name, value, text)
-#define NOTHING(l, k) VALUE(l, k, set_ignored, "", "")
+#define NOTHING_OF(l, k, value)                                                \
+    {                                                                          \
+        NAMES(l, k), .set = set_ignored, .offset = value, .argument = "",      \
+                     .help = ""                                                \
+    }
+#define NOTHING(l, k) NOTHING_OF(l, k, IGNORED_SWITCH)
 #define CONSOLE(l, k, setter, field, file, text)                               \
     {                                                                          \
         NAMES(l, k), .set = setter, .offset = field, .also = file,             \
@@ -86,7 +91,7 @@ static const struct option table[] = {
     SWITCH(NULL, "Grayscale_Output", grey,
            "one channel, 0.297 red + 0.589 green + 0.114 blue (off)"),
     INTEGER(NULL, "Compression", compression, 0, 100,
-            "quality of JPEG files, 1 to 100 (85)"),
+            "quality of JPEG files, 2 to 100; less is as if not said (85)"),
     SWITCH("UA", "Output_Alpha", alpha,
            "write opacity to PNG, Targa, BMP and OpenEXR (off); in scenes of a "
            "#version before 3.7, or of none, sky and background are then left "
@@ -257,8 +262,9 @@ static const struct option table[] = {
            "leave out the frames before n; below 1 a share of all"),
     NUMBER("EF", "Subset_End_Frame", frames.subset_end, 0, FRAME_LIMIT,
            "leave out the frames after n"),
-    WHOLE("STP", "Frame_Step", frames.step, -FRAME_LIMIT, FRAME_LIMIT,
-          "every n-th frame (1); below 0 from the end backwards"),
+    { NAMES("STP", "Frame_Step"), .set = set_step, .offset = AT(frames.step),
+      .minimum = -FRAME_LIMIT, .maximum = FRAME_LIMIT, .argument = "n",
+      .help = "every n-th frame (1); below 0 from the end backwards" },
     WORD("frames", set_text, AT(frames_said), "i/n",
          "of the frames to render every n-th from the i-th on; array: as the "
          "array job says"),
@@ -309,25 +315,25 @@ static const struct option table[] = {
          "this list for the manual page"),
 
     GROUP("Accepted for POV-Ray's sake"),
-    CONSOLE("D", "Display", set_ignored, 0, "Video_Mode",
+    CONSOLE("D", "Display", set_ignored, IGNORED_TEXT, "Video_Mode",
             "there is no preview window"),
     NOTHING(NULL, "Video_Mode"),
     NOTHING(NULL, "Palette"),
     NOTHING(NULL, "Display_Gamma"),
     NOTHING("P", "Pause_When_Done"),
-    NOTHING("SP", "Preview_Start_Size"),
-    NOTHING("EP", "Preview_End_Size"),
-    NOTHING("RP", "Render_Pattern"),
-    NOTHING("RS", "Render_Block_Step"),
-    NOTHING("X", "Test_Abort"),
+    NOTHING_OF("SP", "Preview_Start_Size", IGNORED_NUMBER),
+    NOTHING_OF("EP", "Preview_End_Size", IGNORED_NUMBER),
+    NOTHING_OF("RP", "Render_Pattern", IGNORED_NUMBER),
+    NOTHING_OF("RS", "Render_Block_Step", IGNORED_NUMBER),
+    NOTHING_OF("X", "Test_Abort", IGNORED_NUMBER),
     NOTHING(NULL, "Test_Abort_Count"),
     NOTHING("HR", "High_Reproducibility"),
     NOTHING(NULL, "Antialias_Confidence"),
-    NOTHING("TH", "Dither"),
+    NOTHING_OF("TH", "Dither", IGNORED_TEXT),
     NOTHING(NULL, "Dither_Method"),
-    NOTHING("MB", "Bounding"),
+    NOTHING_OF("MB", "Bounding", IGNORED_NUMBER),
     NOTHING(NULL, "Bounding_Threshold"),
-    NOTHING("BM", "Bounding_Method"),
+    NOTHING_OF("BM", "Bounding_Method", IGNORED_NUMBER),
     NOTHING(NULL, "BSP_MaxDepth"),
     NOTHING(NULL, "BSP_BaseAccessCost"),
     NOTHING(NULL, "BSP_ChildAccessCost"),
@@ -338,18 +344,26 @@ static const struct option table[] = {
     NOTHING("UL", "Light_Buffer"),
     NOTHING("UV", "Vista_Buffer"),
     NOTHING("UD", "Draw_Vistas"),
+    NOTHING("KLA", "Clockless_Animation"),
+    NOTHING("RTR", "Real_Time_Raytracing"),
+    NOTHING_OF("B", "Buffer_Output", IGNORED_NUMBER),
+    NOTHING(NULL, "Buffer_Size"),
+    NOTHING(NULL, "Histogram_Type"),
+    NOTHING(NULL, "Histogram_Name"),
+    NOTHING(NULL, "Histogram_Grid_Size"),
     NOTHING("UF", "Field_Render"),
     NOTHING("UO", "Odd_Field"),
-    NOTHING("MI", "Max_Image_Buffer_Memory"),
-    NOTHING("RF", "Radiosity_File_Name"),
-    NOTHING("RFI", "Radiosity_From_File"),
-    NOTHING("RFO", "Radiosity_To_File"),
+    NOTHING_OF("MI", "Max_Image_Buffer_Memory", IGNORED_NUMBER),
+    NOTHING_OF("RF", "Radiosity_File_Name", IGNORED_TEXT),
+    NOTHING_OF("RFI", "Radiosity_From_File", IGNORED_TEXT),
+    NOTHING_OF("RFO", "Radiosity_To_File", IGNORED_TEXT),
     NOTHING("RVP", "Radiosity_Vain_Pretrace"),
-    NOTHING("GI", "Create_Ini"),
-    CONSOLE("GR", "Render_Console", set_ignored, 0, "Render_File", ""),
-    CONSOLE("GS", "Statistic_Console", set_ignored, 0, "Statistic_File",
-            "see --stats"),
-    CONSOLE("GF", "Fatal_Console", set_ignored, 0, "Fatal_File",
+    NOTHING_OF("GI", "Create_Ini", IGNORED_TEXT),
+    CONSOLE("GR", "Render_Console", set_ignored, IGNORED_TEXT, "Render_File",
+            ""),
+    CONSOLE("GS", "Statistic_Console", set_ignored, IGNORED_TEXT,
+            "Statistic_File", "see --stats"),
+    CONSOLE("GF", "Fatal_Console", set_ignored, IGNORED_TEXT, "Fatal_File",
             "errors are always shown"),
     NOTHING("GP", "Append_File"),
     VALUE(NULL, "All_File", set_message_file, "file", ""),

@@ -76,6 +76,16 @@ static bool option_read_word(struct option_reader *reader,
     return option_apply(reader, option, &setting);
 }
 
+/* Without quotes around all of it, as POV-Ray reads what a script or a shell
+ * other than sh has left: +O"my pic.png". */
+static const char *option_unquoted(struct arena *arena, const char *text)
+{
+    size_t length = strlen(text);
+    bool quoted =
+        length > 1 && strchr("\"'", text[0]) && text[length - 1] == text[0];
+    return quoted ? arena_copy_text(arena, text + 1, length - 2) : text;
+}
+
 static bool option_read_letters(struct option_reader *reader,
                                 struct setting setting)
 {
@@ -87,8 +97,15 @@ static bool option_read_letters(struct option_reader *reader,
     const struct option *option = option_find_letters(letters);
     if (!option)
         return option_unknown(reader, &setting, setting.shown);
-    setting.value = letters + strlen(option->letters);
+    setting.value =
+        option_unquoted(reader->arena, letters + strlen(option->letters));
     setting.on = setting.shown[0] == '+';
+    if (option_is_word(reader->arena, letters))
+        return option_unknown(reader, &setting, setting.shown);
+    if (setting.value[0] == '=')
+        return option_fail(reader, &setting, "no '=' stands here: type %c%s%s",
+                           setting.shown[0], option->letters,
+                           setting.value + 1);
     return option->set(reader, option, &setting);
 }
 
@@ -118,7 +135,7 @@ static bool option_is_scene(const char *name)
 
 bool option_read(struct option_reader *reader, const struct setting *token)
 {
-    const char *text = token->shown;
+    const char *text = option_unquoted(reader->arena, token->shown);
     if (option_is_scene(text)) {
         if (reader->scene && strcmp(reader->scene, text) != 0)
             diag_print(reader->diag, DIAG_WARNING, token->span, NULL,
@@ -138,7 +155,7 @@ bool option_read(struct option_reader *reader, const struct setting *token)
     if (text[equals] == '=') {
         struct setting setting = *token;
         if (!setting.value)
-            setting.value = text + equals + 1;
+            setting.value = option_unquoted(reader->arena, text + equals + 1);
         return option_read_key(reader, setting, equals);
     }
     return ini_read(reader, text, token);
@@ -210,9 +227,10 @@ static bool options_name_table(struct option_reader *reader)
                    "input");
         return false;
     }
-    if (said[strlen(said) - 1] == '/')
+    if (output_is_folder(said))
         options->output =
             output_name(said, options->input, &text, reader->arena);
+    options->named = options->output;
     return true;
 }
 
@@ -222,19 +240,23 @@ static bool options_name_output(struct option_reader *reader)
     const struct output_type *type = output_type_find(options->file_type);
     if (options->probe)
         return options_name_table(reader);
-    if (!options->to_file || (options->action != ACTION_RENDER &&
-                              !options->depend.file && !options->depend.on))
+    bool writes = options->to_file && options->action == ACTION_RENDER;
+    if (!writes && !options->depend.file && !options->depend.on)
         return true;
-    bool stdin_named = strcmp(options->input, "-") == 0;
+    /* <(...) of a shell is /dev/fd/63. */
+    bool nameless = strcmp(options->input, "-") == 0 ||
+                    strcmp(options->input, "/dev/stdin") == 0 ||
+                    strncmp(options->input, "/dev/fd/", 8) == 0;
     const char *said = reader->output;
-    if (stdin_named && (!said || said[strlen(said) - 1] == '/')) {
+    if (nameless && (!said || output_is_folder(said))) {
         diag_print(reader->diag, DIAG_ERROR, span_none(), NULL,
-                   "a scene from standard input has no name: type +Oname for "
+                   "a scene from standard input or a pipe has no name: type "
+                   "+Oname for "
                    "the picture, or +O- for standard output");
         return false;
     }
     options->named = output_name(said, options->input, type, reader->arena);
-    if (options->action != ACTION_RENDER)
+    if (!writes)
         return true;
     options->output = options->named;
     const struct output_type *meant =
@@ -572,7 +594,7 @@ struct image_format options_format(const struct options *options)
         .grey = options->grey,
         .alpha = options->alpha,
         .packed = options->file_type == 'C',
-        .quality = options->compression ? options->compression : 85,
+        .quality = options->compression > 1 ? options->compression : 85,
         .gamma = options->file_gamma,
     };
 }

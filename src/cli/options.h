@@ -36,7 +36,7 @@ struct options {
     const char *path;   /* the same, found along the library path */
     const char *output; /* the picture's name, without a frame's number; "-"
                          * standard output; NULL: none */
-    const char *named;  /* the same, and of --check what it would be */
+    const char *named;  /* the same, and of --check and -F what it would be */
     const char *probe;  /* --probe: the points' file; NULL: a picture */
     char file_type;     /* +F letter, 'N' by default */
     int bits;           /* per channel; 0: not said */

@@ -10,6 +10,9 @@
 #include "base/writer.h"
 #include "cli/options.h"
 
+/* A line that the origin of what was not finished begins with. */
+#define ORIGIN_UNFINISHED "unfinished"
+
 /* The first part of it: the settings. `number` is the frame's; `scene` the
  * main text, which has no file if it comes from standard input. */
 void origin_settings(struct writer *text, const struct options *options,

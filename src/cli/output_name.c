@@ -1,6 +1,7 @@
 /* Names of picture files: see output_name.h. */
 #include "cli/output_name.h"
 
+#include "base/directory.h"
 #include "base/text.h"
 
 static const struct output_type types[] = {
@@ -64,15 +65,28 @@ size_t output_stem(const char *name)
     return (size_t)(dot - name);
 }
 
+bool output_is_folder(const char *output)
+{
+    const char *last = text_last_part(output);
+    return strcmp(last, "") == 0 || strcmp(last, ".") == 0 ||
+           strcmp(last, "..") == 0;
+}
+
+bool output_is_fixed(const char *output)
+{
+    return strcmp(output, "-") == 0 || strcmp(output, "/dev/stdout") == 0 ||
+           path_is_special(output);
+}
+
 const char *output_name(const char *output, const char *input,
                         const struct output_type *type, struct arena *arena)
 {
-    if (output && strcmp(output, "-") == 0)
+    if (output && output_is_fixed(output))
         return output;
-    size_t length = output ? strlen(output) : 0;
-    if (!output || (length && output[length - 1] == '/')) {
+    if (!output || output_is_folder(output)) {
         const char *scene = output ? text_last_part(input) : input;
-        return arena_printf(arena, "%s%.*s%s", output ? output : "",
+        const char *slash = output && *text_last_part(output) ? "/" : "";
+        return arena_printf(arena, "%s%s%.*s%s", output ? output : "", slash,
                             (int)output_stem(scene), scene, type->extension);
     }
     size_t stem = output_stem(output);

@@ -2,6 +2,7 @@
 #ifndef CLI_OUTPUT_NAME_H
 #define CLI_OUTPUT_NAME_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
@@ -30,9 +31,16 @@ const char *output_type_lacking(const char *name);
  * begins the last part is no extension. */
 size_t output_stem(const char *name);
 
+/* Whether +O names a folder for the picture: "dir/", ".", "dir/..". */
+bool output_is_folder(const char *output);
+
+/* Whether that is no file that gets an extension or a frame's number: standard
+ * output, a device, a pipe. */
+bool output_is_fixed(const char *output);
+
 /* The picture's name: `output` is what +O says or NULL, `input` the scene as
- * typed. A missing extension is added; a name that ends in '/' is a directory.
- * Without +O the picture lies beside the scene. */
+ * typed. A missing extension is added to what is not fixed. Without +O the
+ * picture lies beside the scene. */
 const char *output_name(const char *output, const char *input,
                         const struct output_type *type, struct arena *arena);
 

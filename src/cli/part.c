@@ -227,6 +227,20 @@ bool part_is_left(const struct part *part)
     return part->keeper.file && !part->options->render.share.count;
 }
 
+void part_make_room(struct part *part)
+{
+    struct part_file *file = part->keeper.file;
+    if (file)
+        part_file_flush(file);
+    if (!file || !part_file_problem(file))
+        return;
+    ticker_stop(part->ticker);
+    part->ticker = NULL;
+    unlink(part->path);
+    part_file_close(file);
+    part->keeper.file = NULL;
+}
+
 bool part_finish(struct part *part, bool done)
 {
     ticker_stop(part->ticker);

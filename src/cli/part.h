@@ -47,6 +47,10 @@ int part_band_rows(const struct render_options *options, int width);
 bool part_write(struct part *part, const struct settings *settings,
                 const char *name, const char *origin, struct image *band);
 
+/* Before a whole picture is written: removes a file that could not be filled,
+ * as its disk may be full. */
+void part_make_room(struct part *part);
+
 /* After it. `done`: the picture is written, or the part is whole; then the file
  * of a picture is removed. Returns false after an error was printed. */
 bool part_finish(struct part *part, bool done);

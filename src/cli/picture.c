@@ -2,8 +2,12 @@
 #include "cli/picture.h"
 
 #include <string.h>
+#include <unistd.h>
 
 #include "base/save.h"
+#include "base/writer.h"
+#include "cli/origin.h"
+#include "image/note.h"
 #include "render/overlay.h"
 
 bool picture_can_be(const char *name, struct diag *diag)
@@ -119,12 +123,28 @@ void picture_rescue(struct image *image, const struct picture_file *file,
                     const struct render_stats *drawn,
                     struct unfinished *unfinished, struct diag *diag)
 {
-    const struct picture_file beside = { file->options, file->settings,
-                                         unfinished->name, NULL };
     if (!file->name || strcmp(file->name, "-") == 0 || !(drawn->share > 0))
         return;
+    struct writer origin = writer_new();
+    writer_print(&origin, ORIGIN_UNFINISHED " yes\n%s", file->origin);
+    const struct picture_file beside = { file->options, file->settings,
+                                         unfinished->name, origin.items };
     unfinished_name(file->name, unfinished->name, sizeof unfinished->name);
     unfinished->share = drawn->share;
     if (!picture_write(image, &beside, diag))
         unfinished->name[0] = '\0';
+    writer_free(&origin);
+}
+
+void picture_forget_unfinished(const char *name)
+{
+    char beside[FILENAME_MAX], is[8];
+    if (!name || strcmp(name, "-") == 0)
+        return;
+    unfinished_name(name, beside, sizeof beside);
+    struct arena *arena = arena_new(0);
+    const char *origin = image_note_read(arena, beside);
+    if (origin && origin_value(origin, ORIGIN_UNFINISHED, is, sizeof is))
+        unlink(beside);
+    arena_free(arena);
 }

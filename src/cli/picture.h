@@ -61,4 +61,8 @@ void picture_rescue(struct image *image, const struct picture_file *file,
                     const struct render_stats *drawn,
                     struct unfinished *unfinished, struct diag *diag);
 
+/* Once the picture `name` (NULL: none) is written: removes what an earlier run
+ * left so beside it, if it says that it is such (a PNG or an EXR). */
+void picture_forget_unfinished(const char *name);
+
 #endif

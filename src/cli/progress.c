@@ -173,12 +173,17 @@ void progress_total(const struct progress *progress,
                 clock_seconds() - progress->all);
 }
 
+void progress_left(const char *part)
+{
+    fprintf(stderr, "glim: +C goes on with what '%s' has\n", part);
+}
+
 void progress_interrupted(const struct frames *frames, int index,
                           const struct unfinished *unfinished, const char *part)
 {
     char where[64] = "";
     if (*part)
-        fprintf(stderr, "glim: +C goes on with what '%s' has\n", part);
+        progress_left(part);
     if (frames->animated)
         snprintf(where, sizeof where, " in frame %d",
                  frames_number(frames, index));

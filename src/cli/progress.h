@@ -56,6 +56,9 @@ void progress_finish(const struct progress *progress,
 void progress_total(const struct progress *progress,
                     const struct frames *frames);
 
+/* Says that +C goes on with the part file of that name. */
+void progress_left(const char *part);
+
 /* Says that a signal ended the work in the index-th frame, and what is left of
  * that: a picture, and the part file called `part`, or "". */
 void progress_interrupted(const struct frames *frames, int index,

@@ -68,7 +68,8 @@ enum work_status work_run(struct work *work)
         !probe_file_read(&work->points, work->options.probe, arena,
                          &work->diag))
         return WORK_FAILED;
-    if (!picture_can_be(work->options.light.light_mesh.save_file,
+    if (!depend_can_be(&work->options, arena, &work->diag) ||
+        !picture_can_be(work->options.light.light_mesh.save_file,
                         &work->diag) ||
         !picture_can_be(work->options.light.skeleton.save_file, &work->diag))
         return WORK_FAILED;

@@ -1,7 +1,7 @@
 /* What file.c asks of the C++ half, which is a module of its own, loaded when
  * the first picture is read or written: OpenImageIO brings 250 libraries along
  * and takes 0.3 s of processor time to load, which nobody should wait for who
- * only has an error reported or writes a PNG or an EXR. */
+ * only has an error reported or writes a PNG, a PPM or an EXR. */
 #ifndef IMAGE_CODEC_H
 #define IMAGE_CODEC_H
 
@@ -63,12 +63,9 @@ typedef bool codec_stream_function(const struct image_bands *bands,
                                    const struct codec_sink *sink, char *error,
                                    size_t size);
 
-/* Told apart from a module that was built for other structs, which would take
- * them for its own. */
-#define CODEC_LAYOUT                                                           \
-    (sizeof(struct codec_target) + (sizeof(struct image_format) << 16) +       \
-     (sizeof(struct codec_sink) << 32))
-extern const size_t codec_layout; /* the module's CODEC_LAYOUT */
+/* The module's: a hash of the sources of image/, in hexadecimal. A module of
+ * others would take structs for its own, or what they hold for what it was. */
+extern const char codec_build[];
 
 #ifdef __cplusplus
 }

@@ -19,6 +19,7 @@
 #include "image/jpeg.h"
 #include "image/kind.h"
 #include "image/png.h"
+#include "image/pnm.h"
 
 #define MODULE "glim-image.so"
 
@@ -66,6 +67,10 @@ static void *file_module(char *error, size_t size)
     return module;
 }
 
+static const char build[] =
+#include "codec.inc"
+    ;
+
 /* A function of the module, or NULL with the reason. */
 static void *file_codec(const char *name, char *error, size_t size)
 {
@@ -73,8 +78,8 @@ static void *file_codec(const char *name, char *error, size_t size)
     void *function = module ? dlsym(module, name) : NULL;
     if (!module)
         return NULL;
-    const size_t *layout = dlsym(module, "codec_layout");
-    if (function && layout && *layout == CODEC_LAYOUT)
+    const char *of = dlsym(module, "codec_build");
+    if (function && of && strcmp(of, build) == 0)
         return function;
     snprintf(error, size,
              MODULE " belongs to another glim: type make, or make install, "
@@ -87,6 +92,7 @@ static codec_stream_function *
 file_own_encoder(const struct image_format *format)
 {
     return strcmp(format->type, "png") == 0       ? png_encode
+           : strcmp(format->type, "pnm") == 0     ? pnm_encode
            : strcmp(format->type, "openexr") == 0 ? exr_encode
                                                   : NULL;
 }
@@ -194,6 +200,8 @@ file_own_decoder(const char *path, const struct codec_target *target)
         return gif_decode;
     if (strcmp(target->type, "jpeg") == 0 && jpeg_is_ours(path))
         return jpeg_decode;
+    if (strcmp(target->type, "pnm") == 0 && pnm_is_ours(path))
+        return pnm_decode;
     return strcmp(target->type, "png") == 0 ? png_decode : NULL;
 }
 

@@ -1,6 +1,7 @@
 // Image formats through OpenImageIO, 2.2 to 3: the only C++ and the only user
 // of that library. Built as a module of its own, see codec.h. PNG, most of what
-// is read as GIF and JPEG, and what is written as OpenEXR never come here.
+// is read as GIF, JPEG and PPM, and what is written as OpenEXR and PPM never
+// come here.
 #include "image/codec.h"
 
 #include <OpenImageIO/filesystem.h>
@@ -39,22 +40,20 @@ static void codec_start()
 
 // ---------------------------------------------------------------- writing
 
-// Rounds v in 0..1 to one of 2^bits numbers, spread over 0..top.
-static float codec_level(float value, int bits, float top)
+// v in 0..1 as one of 256 numbers.
+static float codec_level(float value)
 {
-    float levels = float((1 << bits) - 1);
     if (!(value > 0))
         value = 0;
     else if (value > 1)
         value = 1;
-    float level = std::floor(value * levels + 0.5f);
-    return std::floor(level * (top / levels) + 0.5f);
+    return std::floor(value * 255.0f + 0.5f);
 }
 
 struct row_writer {
     const struct image *image;
     int channels; // 1 Y, 2 YA, 3 RGB, 4 RGBA
-    int bits;     // of integers, up to 16; 0: float
+    bool whole;   // numbers are kept, not rounded to bytes
     std::vector<float> floats;
     std::vector<unsigned char> bytes;
 
@@ -74,17 +73,16 @@ struct row_writer {
     void fetch(int y)
     {
         floats.resize(size_t(image->width) * size_t(channels));
-        float top = bits > 8 ? 65535.0f : 255.0f;
         for (size_t i = 0; i < floats.size(); i++) {
             float value = number(int(i) / channels, y, int(i) % channels);
-            floats[i] = bits == 0 ? value : codec_level(value, bits, top);
+            floats[i] = whole ? value : codec_level(value);
         }
     }
 
     bool write(ImageOutput &output, int y)
     {
         fetch(y);
-        if (bits == 0)
+        if (whole)
             return output.write_scanline(y, 0, TypeFloat, floats.data());
         bytes.assign(floats.begin(), floats.end());
         return output.write_scanline(y, 0, TypeUInt8, bytes.data());
@@ -124,24 +122,6 @@ static ImageSpec codec_spec(const struct image *image, int channels,
         spec.attribute("oiio:Gamma", float(format->gamma));
     }
     return spec;
-}
-
-// A PPM or PGM of more than 8 bits: OIIO 2.4 cuts those to 8.
-static bool codec_encode_deep_pnm(row_writer &rows,
-                                  const struct codec_sink *sink, char *error,
-                                  size_t size)
-{
-    std::string file =
-        Strutil::sprintf("P%d\n%d %d\n65535\n", rows.channels == 1 ? 5 : 6,
-                         rows.image->width, rows.image->height);
-    for (int y = 0; y < rows.image->height; y++) {
-        rows.fetch(y);
-        for (float level : rows.floats) {
-            file += char(int(level) >> 8);
-            file += char(int(level) & 255);
-        }
-    }
-    return sink->put(sink->context, file.data(), file.size(), error, size);
 }
 
 // A file for what OIIO 2.2 can't write to memory; removed in the end.
@@ -190,21 +170,14 @@ static bool codec_encode_checked(const struct image *image,
     row_writer rows;
     rows.image = image;
     rows.channels = (grey ? 1 : 3) + (alpha ? 1 : 0);
-    rows.bits = codec_is(format, "hdr")   ? 0
-                : codec_is(format, "pnm") ? format->bits
-                                          : 8;
-    if (rows.bits > 8)
-        return codec_encode_deep_pnm(rows, sink, error, size);
+    rows.whole = codec_is(format, "hdr");
     Filesystem::IOVecOutput memory;
     scratch_file scratch;
     if (!output->set_ioproxy(&memory) && !scratch.make())
         return codec_fail(error, size, std::strerror(errno));
     // To memory the name only tells the format.
     ImageSpec spec = codec_spec(image, rows.channels, format);
-    std::string name =
-        std::string("glim.") + (grey && codec_is(format, "pnm") ? "pgm"
-                                : codec_is(format, "pnm")       ? "ppm"
-                                                                : format->type);
+    std::string name = std::string("glim.") + format->type;
     if (!output->open(scratch.name.empty() ? name : scratch.name, spec))
         return codec_fail(error, size, output->geterror());
     for (int y = 0; y < image->height; y++)
@@ -334,7 +307,9 @@ static bool codec_decode_checked(const char *path, struct codec_target *target,
 }
 
 extern "C" {
-const size_t codec_layout = CODEC_LAYOUT;
+const char codec_build[] =
+#include "codec.inc"
+    ;
 }
 
 // ------------------------------------------- nothing is thrown at C callers

@@ -64,7 +64,7 @@ struct image_bands {
     void *context;
 };
 
-/* As image_write, for "png" and "openexr", in memory for one band. */
+/* As image_write, for "png", "pnm" and "openexr", in memory for one band. */
 bool image_write_bands(const struct image_bands *bands, const char *path,
                        const struct image_format *format, char *error,
                        size_t size);

@@ -39,8 +39,9 @@ static bool parse_fog_type(struct parser *p, struct fog *fog)
     if (!parse_integer(p, &type))
         return false;
     fog->ground = type == 2;
-    return type == 1 || type == 2 ||
-           error_at(p, span, "2", "fog_type is 1 or 2");
+    if (type != 1 && type != 2)
+        warning_at(p, span, "2", "fog_type is 1 or 2; %d counts as 1", type);
+    return true;
 }
 
 static bool fog_upwards(struct parser *p, struct fog *fog, struct span span,

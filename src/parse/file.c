@@ -77,7 +77,11 @@ const char *file_checked(struct parser *p, struct span span, const char *what,
         path ? permits_denier(p->options->permits, path) : NULL;
     if (!path && file_unclosed(p, span, what))
         return NULL;
-    if (!path)
+    if (!path && !*name)
+        error_at(p, span, NULL,
+                 "the name of the %s is empty: write it between the quotes",
+                 what);
+    else if (!path)
         error_at(p, span, file_hint(p, what, name), "can't find the %s '%s'",
                  what, file_shown(p, name));
     else if (denier)

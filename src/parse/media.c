@@ -96,9 +96,11 @@ static bool scattering_body(struct parser *p, struct medium *medium)
                                    "1, rgb 1");
     if (!parse_integer(p, &type))
         return false;
-    if (type < PHASE_ISOTROPIC || type > PHASE_HENYEY_GREENSTEIN)
-        return error_at(p, span, "1",
-                        "there are scattering types 1 to 5, found %d", type);
+    if (type < PHASE_ISOTROPIC || type > PHASE_HENYEY_GREENSTEIN) {
+        warning_at(p, span, "1",
+                   "there are scattering types 1 to 5; %d counts as 1", type);
+        type = PHASE_ISOTROPIC;
+    }
     medium->phase = (enum phase)type;
     accept(p, TOKEN_COMMA);
     if (stream_peek(p)->kind == TOKEN_RBRACE)

@@ -166,8 +166,8 @@ bool error_expected_hint(struct parser *p, const char *wanted,
                          const char *hint);
 
 /* "expected '{' after 'pigment', found 'T'"; what stands there instead of the
- * block is taken. */
-bool error_unopened(struct parser *p);
+ * block is taken. `before` is what the block belongs to. */
+bool error_unopened(struct parser *p, struct span before);
 
 /* What the next word stands for is of a later version: "a dictionary needs
  * POV-Ray 3.8 ...; an array keeps values by number". The word is taken, and the

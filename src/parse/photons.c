@@ -22,9 +22,9 @@ enum {
  *               | "jitter" float | "max_trace_level" float
  *               | "adc_bailout" float . */
 const struct field photon_fields[] = {
-    PHOTONS("spacing", FIELD_FLOAT, spacing, 1e-9, 1e9,
+    PHOTONS("spacing", FIELD_FLOAT, spacing, -1e9, 1e9,
             "between photons at their target, units"),
-    PHOTONS("count", FIELD_FLOAT, count, 1, COUNT_LIMIT,
+    PHOTONS("count", FIELD_FLOAT, count, 0, COUNT_LIMIT,
             "photons that are sent, about"),
     PHOTONS("gather", FIELD_PAIR, gather, 1, GATHER_LIMIT,
             "photons that are looked at for one place, least and most, "
@@ -148,7 +148,7 @@ static bool parse_photon_item(struct parser *p)
 }
 
 /* photons = "photons" "{" {photon_value [","]} "}" .
- * Without spacing and count no photons are sent. */
+ * Without spacing and count, or where they are 0, no photons are sent. */
 bool parse_photons(struct parser *p)
 {
     struct photon_settings *photons = &p->scene->settings.photons;
@@ -158,7 +158,8 @@ bool parse_photons(struct parser *p)
     photons->on = photons->spacing > 0 || photons->count > 0;
     if (!photons->on)
         warning_at(p, span, "photons { count 20000 }",
-                   "'photons' without 'spacing' or 'count': none are sent");
+                   "'photons' without a 'spacing' or 'count' above 0: none are "
+                   "sent");
     return true;
 }
 

@@ -432,9 +432,11 @@ void stream_skip_raw(struct parser *p, size_t n)
 
 bool block_begin(struct parser *p, struct span *open)
 {
+    struct span before;
+    span_copy(&before, &p->last_span);
     *open = stream_span(p);
     if (stream_peek(p)->kind != TOKEN_LBRACE)
-        return error_unopened(p);
+        return error_unopened(p, before);
     stream_next(p);
     if (++p->nesting > PARSE_NESTING_LIMIT) {
         error_at(p, *open, NULL, "blocks are nested more than %d deep",
@@ -492,7 +494,8 @@ bool stream_block_opens(enum keyword keyword)
 }
 
 /* What is wrong in the text that was skipped from the token `begin` on, and may
- * have taken an #end with it: a string that isn't closed. */
+ * have taken an #end with it, a string that isn't closed, or stands for one:
+ * #endif. */
 static void note_unread(struct parser *p, size_t begin)
 {
     const struct cursor *cursor = p->cursor;
@@ -508,6 +511,12 @@ static void note_unread(struct parser *p, size_t begin)
                     lines ? "this string ends lines below; its '\"' may be "
                             "missing"
                           : token->text);
+            return;
+        }
+        if (token->kind == TOKEN_DIRECTIVE &&
+            mistaken_directive_word(token->word) == KEYWORD_END) {
+            note_at(p, span, "'#%s' is no directive: type #end",
+                    token->word->text);
             return;
         }
     }

@@ -73,7 +73,7 @@ const char *unclosed_hint(struct parser *p)
 
 /* The thing that stands where its block should: `texture T`, `pigment rgb 1`,
  * `sphere ( ... )`. */
-bool error_unopened(struct parser *p)
+bool error_unopened(struct parser *p, struct span before)
 {
     const struct token *token = stream_peek(p);
     struct span at = p->token_span;
@@ -86,11 +86,13 @@ bool error_unopened(struct parser *p)
                            : "{";
     bool told = p->told;
     const char *wanted = "'{'";
-    if (p->last_span.source && p->last_span.length < 40)
-        wanted =
-            arena_printf(p->arena, "'{' after '%.*s'", (int)p->last_span.length,
-                         p->last_span.source->text + p->last_span.offset);
+    if (before.source && before.length < 40)
+        wanted = arena_printf(p->arena, "'{' after '%.*s'", (int)before.length,
+                              before.source->text + before.offset);
     error_expected_hint(p, wanted, hint);
+    /* Directives stand between. */
+    if (before.source == at.source && p->last_span.offset != before.offset)
+        note_at(p, before, "this has no '{'");
     p->told = true;
     if (round)
         skip_brackets(p);

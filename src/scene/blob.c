@@ -75,7 +75,10 @@ static const char *blob_prepare(void *shape, struct arena *arena,
     size_t count;
     const struct blob_part *parts = blob_parts(blob, &count);
     double strongest = 0;
-    (void)warning;
+    if (blob->threshold < 0) {
+        *warning = "its threshold is below 0, where it has no surface";
+        return NULL;
+    }
     blob->bounds = box3_empty();
     for (size_t i = 0; i < count; i++)
         if (parts[i].strength > 0) {
@@ -85,7 +88,7 @@ static const char *blob_prepare(void *shape, struct arena *arena,
     if (blob->threshold == 0)
         blob->threshold = blob_least_threshold(strongest);
     blob->tree = blob_tree_new(arena, parts, count);
-    return blob->threshold >= 0 ? NULL : "its threshold must not be below 0";
+    return NULL;
 }
 
 static struct box3 blob_bounds(const void *shape)

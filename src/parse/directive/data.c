@@ -201,7 +201,12 @@ static bool data_list(struct parser *p,
                       bool (*list)(struct parser *p, struct span open))
 {
     struct directive_head outer = directive_head_begin(p);
-    bool ok = list(p, stream_span(p));
+    struct span open = stream_span(p);
+    bool ok = list(p, open);
+    bool closed = p->last_span.source && /* it was skipped */
+                  p->last_span.source->text[p->last_span.offset] == ')';
+    if (!ok && !closed && at_scene_item(p))
+        note_at(p, open, "the ')' to this '(' may be missing");
     return directive_condition_end(p, outer) && ok;
 }
 

@@ -264,27 +264,43 @@ static const char *declare_counted(struct parser *p, const struct word *name)
                         (int)strcspn(by, ";\r\n"), by);
 }
 
-/* `My Ball = ...` */
-static bool declare_is_apart(struct parser *p)
+/* How many words stand before the '=' of `My Red Ball = ...`, behind its first
+ * one, if that is how it goes on; 0: it does not. */
+static size_t declare_words_apart(struct parser *p)
 {
-    size_t left;
+    enum { MOST = 8 };
+    size_t left, count = 0;
     bool word = stream_peek_infix(p)->kind == TOKEN_WORD;
     const struct token *after = stream_raw(p, &left);
-    return word && left > 0 && after->kind == TOKEN_EQUAL;
+    while (word && count < left && count < MOST &&
+           after[count].kind == TOKEN_WORD)
+        count++;
+    return word && count < left && after[count].kind == TOKEN_EQUAL ? count + 1
+                                                                    : 0;
 }
 
-static bool declare_apart(struct parser *p, const struct declaration *head)
+static bool declare_apart(struct parser *p, const struct declaration *head,
+                          size_t words)
 {
-    const char *more = p->token.word->text;
-    return error_at(p, span_join(head->span, p->token_span),
-                    arena_printf(p->arena, "%s_%s", head->name->text, more),
-                    "a name is one word");
+    size_t left;
+    const struct token *after = stream_raw(p, &left);
+    const char *name =
+        arena_printf(p->arena, "%s_%s", head->name->text, p->token.word->text);
+    uint32_t end = p->token_span.offset + p->token_span.length;
+    for (size_t i = 0; i + 1 < words; i++) {
+        name = arena_printf(p->arena, "%s_%s", name, after[i].word->text);
+        end = after[i].offset + after[i].length;
+    }
+    struct span span = head->span;
+    span.length = end - span.offset;
+    return error_at(p, span, name, "a name is one word");
 }
 
 static bool declare_equal(struct parser *p, const struct declaration *head)
 {
-    if (declare_is_apart(p))
-        return declare_apart(p, head);
+    size_t words = declare_words_apart(p);
+    if (words)
+        return declare_apart(p, head, words);
     if (stream_peek_infix(p)->kind != TOKEN_EQUAL)
         return error_expected_hint(p, "'='", declare_counted(p, head->name));
     struct span span = stream_span(p);

@@ -1,0 +1,2 @@
+#write (
+sphere { 0, 1 }
