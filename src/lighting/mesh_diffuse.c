@@ -14,35 +14,55 @@ struct asker {
     double behind;            /* how much that of the other side does of it */
 };
 
+/* Whether it is where the camera looks, behind panes that hardly bend light: it
+ * is seen as closely as what is before them, by pixels side by side. */
+static bool receiver_is_straight(const struct mesh_indirect *known,
+                                 const struct receiver *receiver)
+{
+    vec3 seen = vec3_sub(receiver->from, receiver->point),
+         eye = vec3_sub(known->view.eye, receiver->point);
+    return vec3_dot(seen, eye) >=
+           beyond_straight * vec3_length(seen) * vec3_length(eye);
+}
+
 /* What it asks of the mesh is put into its receiver. */
+static struct indirect_share asker_share(const struct mesh_indirect *known,
+                                         struct worker *worker,
+                                         struct receiver *receiver)
+{
+    bool beyond = known->pixels && !receiver->pixel;
+    bool little = known->worth * receiver->weight < mended_worth;
+    bool straight = !beyond || receiver_is_straight(known, receiver);
+    struct indirect_share share;
+    if (known->pixels && straight && !(beyond && little) &&
+        indirect_pixels_light(known->pixels, worker, receiver, &share))
+        return share;
+    receiver->view.coarser += !straight;
+    return beyond && little && !receiver->far_side
+               ? indirect_mesh_beyond(known->mesh, worker, receiver)
+               : indirect_mesh_light(known->mesh, worker, receiver);
+}
+
 static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                              struct worker *worker,
                                              struct asker *asker)
 {
-    const struct indirect_mesh *mesh = known->mesh;
     const struct ambience *ambience = known->ambience;
     rgb ambient = rgb_mul(asker->ambient, ambience->light);
     double most = fmax(rgb_peak(asker->albedo), rgb_peak(ambient));
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver *receiver = &asker->receiver;
-    bool beyond = known->pixels && !receiver->pixel;
     receiver->view = known->view;
-    receiver->view.coarser += beyond;
     receiver->weight = asker->weight * most;
     unsigned long long rays = worker->counters.shadow_rays;
-    if ((asker->scatters || rgb_peak(ambient) > 0) &&
-        !(known->pixels &&
-          indirect_pixels_light(known->pixels, worker, receiver, &share)))
-        share = beyond && !receiver->far_side &&
-                        known->worth * receiver->weight < mended_worth
-                    ? indirect_mesh_beyond(mesh, worker, receiver)
-                    : indirect_mesh_light(mesh, worker, receiver);
+    if (asker->scatters || rgb_peak(ambient) > 0)
+        share = asker_share(known, worker, receiver);
     if (worker->telling)
         telling_say(worker->telling,
                     "indirect: %.4g %.4g %.4g, %.3g of the ambient light, by "
                     "%s, %llu rays",
                     share.light.r, share.light.g, share.light.b, share.open,
-                    indirect_mesh_source(mesh, receiver),
+                    indirect_mesh_source(known->mesh, receiver),
                     worker->counters.shadow_rays - rays);
     if (ambience->everywhere)
         share.open = 1;

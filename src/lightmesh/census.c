@@ -69,10 +69,11 @@ static void tally_gather(struct tally *tally, const struct receiver *from,
         point_mesh_want(&census->direct->points, &receiver, &tally->wanted[0]);
 }
 
-/* One place more, of which so much is seen in a mirror or through glass (who
- * asks there: lighting/mesh_diffuse.c). Returns whether there is one. */
+/* One place more, of which so much is seen in a mirror, a level coarser, or
+ * through glass (who asks there: lighting/mesh_diffuse.c). Returns whether
+ * there is one. */
 static bool tally_met(struct tally *tally, const struct ray *ray, double share,
-                      struct intersection *at)
+                      int coarser, struct intersection *at)
 {
     const struct census *census = tally->census;
     const struct indirect_mesh *mesh = census->indirect;
@@ -80,7 +81,7 @@ static bool tally_met(struct tally *tally, const struct ray *ray, double share,
                        RAY_GATHER, at))
         return false;
     struct receiver receiver = receiver_at(ray, at, census->indirect_view);
-    receiver.view.coarser++;
+    receiver.view.coarser += coarser;
     receiver.weight = share;
     point_mesh_want(&mesh->points, &receiver, &tally->wanted[2]);
     return true;
@@ -98,7 +99,7 @@ static void tally_mirrors(struct tally *tally, const struct ray *ray,
             surface_mirrored(surface->normal, ray->direction, layer->normal)
         };
         if (share >= gather_least)
-            tally_met(tally, &mirrored, share, &at);
+            tally_met(tally, &mirrored, share, 1, &at);
     }
 }
 
@@ -118,7 +119,7 @@ static void tally_beyond(struct tally *tally, const struct ray *ray,
             tally_mirrors(tally, &way, &surface);
         share *= rgb_peak(surface_passed(&surface));
         way.origin = at->point;
-        if (share < gather_least || !tally_met(tally, &way, share, at))
+        if (share < gather_least || !tally_met(tally, &way, share, 0, at))
             return;
     }
 }

@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/random.h"
+#include "lightmesh/seek_sight.h"
 #include "lightmesh/table.h"
 #include "lightmesh/tuning.h"
 #include "scene/camera.h"
@@ -101,14 +102,10 @@ static bool corner_shows(const struct corner_store *store,
     double length = vec3_length(way);
     if (!(length > 0))
         return true;
-    struct ray ray = { from, vec3_scale(way, 1 / length) };
-    worker->counters.shadow_rays++;
-    return !world_occluded(store->mesh->points.world,
-                           &(struct occlusion){ .ray = &ray,
-                                                .tmin = surface_offset(from),
-                                                .tmax = length,
-                                                .light = -1,
-                                                .spread = gather_spread });
+    const struct receiver place = { .point = from, .side = corner->side };
+    rgb through;
+    return seek_looks_through(&store->mesh->points, worker, &place,
+                              camera->location, &through);
 }
 
 /* The surface that the corner's line meets first. */

@@ -63,10 +63,11 @@ struct asking {
 static bool lone_light(const struct asking *ask, struct indirect_share *share)
 {
     const struct indirect_pixels *pixels = ask->pixels;
-    return pixel_blocks_light(pixels->blocks, ask->who.worker,
-                              ask->who.receiver, share) ||
-           lone_places_light(pixels->lone, ask->who.worker, ask->who.receiver,
-                             share);
+    const struct receiver *receiver = ask->who.receiver;
+    return receiver->pixel &&
+           (pixel_blocks_light(pixels->blocks, ask->who.worker, receiver,
+                               share) ||
+            lone_places_light(pixels->lone, ask->who.worker, receiver, share));
 }
 
 /* By corners of a level, and so much by those twice as far apart. */
@@ -207,14 +208,16 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
 {
     struct asking ask = { .pixels = pixels,
                           .who = { pixels->store, worker, receiver } };
-    if (!receiver->pixel || indirect_mesh_leaves(pixels->mesh, receiver))
+    if (receiver->far_side || indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
-    if (pixel_answers_find(pixels->answers, worker, receiver, share))
+    if (receiver->pixel &&
+        pixel_answers_find(pixels->answers, worker, receiver, share))
         return true;
     ask.level = surface_grid_level(&pixels->grid, receiver, &ask.blend);
     if (!grid_light(&ask, share))
         return false;
-    pixel_answers_keep(pixels->answers, worker, receiver,
-                       answer_reach * pixels->grid.step[ask.level], share);
+    if (receiver->pixel)
+        pixel_answers_keep(pixels->answers, worker, receiver,
+                           answer_reach * pixels->grid.step[ask.level], share);
     return true;
 }

@@ -9,42 +9,23 @@
 #include "lightmesh/drawn_lamp.h"
 #include "lightmesh/gather_glow.h"
 #include "lightmesh/gather_paint.h"
+#include "lightmesh/survey_place.h"
 #include "lightmesh/tuning.h"
 #include "shade/finish.h"
 #include "shade/shadow.h"
 
 /* A place that the camera sees. */
 struct sight {
-    struct surface surface;
-    struct intersection at;
+    struct survey_place at;
     rgb albedo, ambient; /* what it makes of irradiance and ambient light 1 */
     rgb returned;        /* and what other surfaces get of irradiance */
     double shown;        /* brightness without what is gathered */
 };
 
-static bool sight_find(struct sight *sight, const struct gather *gather,
-                       const struct camera *camera, double x, double y)
-{
-    const struct world *world = gather->lamps->world;
-    if (!camera_sees(camera, x, y))
-        return false;
-    struct ray ray = camera_ray(camera, x, y);
-    for (int i = 0; i < SURVEY_PANES; i++) {
-        if (!world_closest(world, &ray, surface_offset(ray.origin), RAY_SIGHT,
-                           &sight->at))
-            return false;
-        gather_surface(gather, &ray, &sight->at, &sight->surface);
-        if (rgb_brightness(sight->surface.through) < pane_least)
-            return true;
-        ray.origin = sight->at.point;
-    }
-    return false;
-}
-
 static void sight_light(struct sight *sight, const struct gather *gather,
                         struct worker *worker, const struct draws *draws)
 {
-    const struct surface *surface = &sight->surface;
+    const struct surface *surface = &sight->at.surface;
     const struct lit_place place = { surface->point, surface->normal,
                                      surface->at->leaf,
                                      texture_finish(surface->at->texture) };
@@ -105,7 +86,7 @@ static rgb sight_add_behind(const struct sight *sight, const struct sums *sums,
                             const struct draws *draws,
                             struct gathered_ray *found)
 {
-    const struct surface *surface = &sight->surface;
+    const struct surface *surface = &sight->at.surface;
     double behind = surface_behind(surface);
     struct gathered_ray more;
     if (!(behind > 0))
@@ -137,15 +118,16 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         struct gathered_ray found;
         double u[2];
         draw_pair(&draws, GATHER_DIRECTION, u);
-        struct ray ray = { sight->surface.point,
-                           warp_lobe(u, sight->surface.side, 1) };
+        struct ray ray = { sight->at.surface.point,
+                           warp_lobe(u, sight->at.surface.side, 1) };
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
         bool wall = gathered_wall(sums, &ray, &found);
         sums->ends += gathered_ends(&found, wall);
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
         *hit = gathered_hit(&ray, &found, wall);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
-        double density = vec3_dot(ray.direction, sight->surface.side) / WARP_PI;
+        double density =
+            vec3_dot(ray.direction, sight->at.surface.side) / WARP_PI;
         rgb rest = gather_balanced(sums->gather, &ray, density, 1, &found);
         hit->light = fmax(sight_brought(sight, rest, found.open), 0);
         rest = rgb_add(
@@ -170,7 +152,7 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
     sums->bounced += bounced / sums->each / shown;
     sums->returned += rgb_brightness(sight->returned);
     sums->seen[sums->sights++] =
-        (struct seen){ sight->surface.point, sight->surface.side,
+        (struct seen){ sight->at.surface.point, sight->at.surface.side,
                        rgb_scale(sight->albedo, 1 / shown) };
 }
 
@@ -256,7 +238,7 @@ static void sums_gather(struct sums *sums, const struct scene *scene,
         double x = (i % SURVEY_EDGE + 0.5) / SURVEY_EDGE,
                y = (i / SURVEY_EDGE + 0.5) / SURVEY_EDGE;
         if (worker_stopped(worker) ||
-            !sight_find(&sight, sums->gather, &scene->camera, x, y))
+            !survey_place_find(&sight.at, sums->gather, &scene->camera, x, y))
             continue;
         sight_light(&sight, sums->gather, worker, &draws);
         sight_gather(&sight, worker, draws, sums);

@@ -30,9 +30,10 @@ enum {
     SURVEY_RAYS = 4,   /* gather rays of each, */
     CHAMBER_RAYS = 32, /* or, where little light leaves the scene, so many, */
     BRIGHT_RAYS = 64,  /* or, where most of it comes from few places; */
-    SURVEY_PANES = 4,  /* and how many panes both pass: */
+    SURVEY_PANES = 16, /* and how many panes and mirrors both pass: */
 };
-static const double pane_least = 0.5; /* of the light they let so much pass */
+static const double pane_least = 0.5; /* of light they let pass, or mirror */
+static const double pane_shows = 0.1; /* of it, itself, before nothing else */
 static const double usual_width = 640, usual_height = 480; /* pixels, where it
                                                             * isn't said */
 static const double outlook_beside = 0.1; /* share of what is seen, at either
@@ -68,7 +69,7 @@ enum {
     CENSUS_EDGE = 16,      /* rays along the edge of the first count, */
     CENSUS_SEEN_EDGE = 48, /* where only what is seen is counted */
     CENSUS_FINE_EDGE = 64, /* and if that can't tell */
-    CENSUS_PANES = 4,      /* looked through, one behind the other */
+    CENSUS_PANES = 16,     /* looked through, one behind the other */
 };
 static const double census_far = 150;   /* times as many: too far to tell */
 static const double census_sure = 0.25; /* less of the room taken: sure */
@@ -285,6 +286,9 @@ static const double answer_reach = 0.5;  /* of the grid's step: rays of a pixel
 static const double answer_bend = 0.985; /* near to each other, cosine, */
 static const double answer_rise = 0.3;   /* and on one surface, as corners */
 
+static const double beyond_straight =
+    0.98;                                /* cosine: what panes bend no more
+                                          * is seen as if they weren't there */
 static const double mended_worth = 0.02; /* what is worth less beyond mirrors
                                           * and glass has no rays of its own [a
                                           * third of the time of a watch] */

@@ -104,6 +104,27 @@ static bool add_room(struct box3 *box, const struct world *world, vec3 from,
     return true;
 }
 
+/* Adds the room that shuts in who stands there, of whatever its walls are: they
+ * are no sky and not far away, however small and near all other things are.
+ * Looks askew as well, past what stands before a wall. */
+static void add_walls(struct box3 *box, const struct world *world, vec3 from,
+                      double far)
+{
+    struct box3 room = *box;
+    for (int i = 0; i < 27; i++) {
+        const vec3 way = { i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1 };
+        struct intersection at;
+        if (i == 13) /* no way at all */
+            continue;
+        const struct ray ray = { from, vec3_normalise(way) };
+        if (!world_closest(world, &ray, 1e-6, RAY_SIGHT, &at) ||
+            at.t > far * vec3_length(way))
+            return;
+        room = box3_add(room, at.point);
+    }
+    *box = room;
+}
+
 struct thing {
     struct box3 box;
     double reach; /* from the camera */
@@ -194,6 +215,8 @@ static struct box3 find_box(const struct world *world,
     double size = longest_side(box);
     if (!still)
         stretch(&box, camera->location, camera_stretch * size);
+    else if (size > 0)
+        add_walls(&box, world, camera->location, vast * size);
     size = longest_side(box);
     double limit = size > 0 ? other_stretch * size : far_away;
     if (!still || box3_contains(box, camera->location))

@@ -91,14 +91,14 @@ static rgb lamp_gives(const struct lamp *lamp, const struct patch_point *point,
         !lamp_look(lamp, location, point->at.point, view))
         return rgb_grey(0);
     double cosine = vec3_dot(view->direction, point->surface.normal);
-    if (point->at.leaf->look->double_illuminate)
-        cosine = fabs(cosine);
-    if (!(cosine > 0))
+    double counts = cosine < 0 ? surface_behind(&point->surface) : 1;
+    cosine = fabs(cosine);
+    if (!(counts * cosine > 0))
         return rgb_grey(0);
     if (point->finish)
         cosine =
             finish_cosine(point->finish, cosine) / finish_around(point->finish);
-    return rgb_scale(lamp->light->colour, cosine * view->attenuation);
+    return rgb_scale(lamp->light->colour, counts * cosine * view->attenuation);
 }
 
 static rgb lamp_reaches(const struct patches_task *task,

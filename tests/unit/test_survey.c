@@ -57,6 +57,34 @@ static void test_room(void **state)
                 yard.worth < room.worth);
 }
 
+/* What is seen only in a mirror counts, and what is behind many panes; and what
+ * lets most light pass, if nothing is behind it. */
+static void test_beyond(void **state)
+{
+    static const char hall[] =
+        "light_source { <0, 6, -8>, 1 } box { <-6, 0, -30>, <6, 7, 6> inverse "
+        "pigment { rgb 1 } finish { ambient 0 diffuse 0.7 } } ";
+    static const char *const before[] = {
+        "camera { location <0, 3, -10> look_at <0, 3, 0> } "
+        "box { <-6, 0, 4>, <6, 7, 5> "
+        "finish { ambient 0 diffuse 0 reflection 0.8 } }",
+        "camera { location <0, 3, -10> look_at <0, 3, 0> } "
+        "box { <-6, 0, -9>, <6, 7, -8.9> pigment { rgbt 0.98 } } "
+        "box { <-6, 0, -8>, <6, 7, -7.9> pigment { rgbt 0.98 } } "
+        "box { <-6, 0, -7>, <6, 7, -6.9> pigment { rgbt 0.98 } }",
+    };
+    char text[1000];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text, "%s%s", hall, before[i]);
+        struct survey survey = surveyed(text);
+        assert_true(survey.open == 0 && survey.worth > 0.1);
+    }
+    struct survey tube = surveyed(
+        CAMERA LAMP "cylinder { 0, 3*y, 2 open pigment { rgb 1 filter 0.6 } }");
+    assert_true(tube.sights > 0 && tube.worth > 0.02);
+}
+
 static struct outlook outlooked(const char *text)
 {
     struct scene_world *all = scene_world_new(text);
@@ -243,10 +271,11 @@ static void test_drawn_area(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_open),    cmocka_unit_test(test_room),
-        cmocka_unit_test(test_outlook), cmocka_unit_test(test_afford),
-        cmocka_unit_test(test_nets),    cmocka_unit_test(test_paint),
-        cmocka_unit_test(test_drawn),   cmocka_unit_test(test_drawn_area),
+        cmocka_unit_test(test_open),       cmocka_unit_test(test_room),
+        cmocka_unit_test(test_beyond),     cmocka_unit_test(test_outlook),
+        cmocka_unit_test(test_afford),     cmocka_unit_test(test_nets),
+        cmocka_unit_test(test_paint),      cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_drawn_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -245,6 +245,28 @@ static void shapes_without_a_test_are_searched(void **state)
     marked_free(&m);
 }
 
+/* A room of six slabs, in which the camera looks at many small things: the
+ * chamber is the room. */
+static void rooms_are_held_around_small_things(void **state)
+{
+    (void)state;
+    struct scene_world *all = scene_world_new(
+        "camera { location <0,0,-1> look_at 0 } light_source { 4*y, 1 }\n"
+        "#for (I, 0, 7) sphere { <0.1*I, 0, 0>, 0.05 } #end\n"
+        "box { <-9,-9,-9>, <9,-8,9> } box { <-9,8,-9>, <9,9,9> }\n"
+        "box { <-9,-8,-9>, <-8,8,9> } box { <8,-8,-9>, <9,8,9> }\n"
+        "box { <-8,-8,-9>, <8,8,-8> } box { <-8,-8,8>, <8,8,9> }\n");
+    static const vec3 middles[6] = { { -8, 0, 0 }, { 8, 0, 0 },  { 0, -8, 0 },
+                                     { 0, 8, 0 },  { 0, 0, -8 }, { 0, 0, 8 } };
+    struct voxels grid;
+    assert_true(grid_place(
+        &grid, all->world, &all->scene->camera,
+        (struct grid_wish){ .resolution = 48, .still = true }, &all->diag));
+    for (int i = 0; i < 6; i++)
+        assert_true(box3_contains(voxels_box(&grid), middles[i]));
+    scene_world_free(all);
+}
+
 static void marks_are_the_same_for_any_threads(void **state)
 {
     (void)state;
@@ -569,6 +591,7 @@ int main(void)
         cmocka_unit_test(sphere_marks_are_exact),
         cmocka_unit_test(shapes_without_a_test_are_searched),
         cmocka_unit_test(grids_are_around_what_matters),
+        cmocka_unit_test(rooms_are_held_around_small_things),
         cmocka_unit_test(marks_are_the_same_for_any_threads),
         cmocka_unit_test(thin_walls_do_not_leak),
         cmocka_unit_test(doors_of_four_voxels_stay_open),
