@@ -21,8 +21,9 @@ static bool receiver_is_straight(const struct mesh_indirect *known,
 {
     vec3 seen = vec3_sub(receiver->from, receiver->point),
          eye = vec3_sub(known->view.eye, receiver->point);
-    return vec3_dot(seen, eye) >=
-           beyond_straight * vec3_length(seen) * vec3_length(eye);
+    return receiver->unmirrored &&
+           vec3_dot(seen, eye) >=
+               beyond_straight * vec3_length(seen) * vec3_length(eye);
 }
 
 /* What it asks of the mesh is put into its receiver. */
@@ -105,6 +106,7 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
             .normal = known->smooth ? surface->normal : layer->normal,
             .from = vec3_along(surface->point, surface->view, surface->at->t),
             .pixel = surface->place,
+            .unmirrored = surface->unmirrored,
         },
         .weight = surface->weight,
         .albedo = surface_albedo(surface),
@@ -128,6 +130,7 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
             .from = vec3_along(point, lane_get(facets->view, i),
                                facets->faces->hit[i].t),
             .pixel = facets->place[i],
+            .unmirrored = facets->unmirrored[i],
         },
         .weight = facets->worth[i],
         .albedo = facets_albedo(facets, i),

@@ -41,7 +41,8 @@ struct facets {
     void *context;
     double bailout;                               /* as of a surface_view */
     const struct world_faces *faces;              /* that they are */
-    const struct picture_place *place[RAY_LANES]; /* as a surface's */
+    const struct picture_place *place[RAY_LANES]; /* as a surface's, */
+    bool unmirrored[RAY_LANES];                   /* likewise */
     const struct surface *surface[RAY_LANES];     /* NULL: not told yet */
     const struct leaf *leaf[RAY_LANES];
     const struct interiors *inside[RAY_LANES]; /* of the viewer's ray */

@@ -36,8 +36,9 @@ struct surface {
     vec3 point;
     const struct picture_place *place; /* where the camera sees it; NULL: not at
                                         * first sight */
-    double weight; /* its share in the picture, as far as is known */
-    vec3 view;     /* unit, to the viewer */
+    bool unmirrored; /* the camera sees it at first sight or through panes */
+    double weight;   /* its share in the picture, as far as is known */
+    vec3 view;       /* unit, to the viewer */
     const struct interiors *inside; /* what the viewer's ray came through */
     vec3 normal; /* unit, unperturbed, turned towards the viewer */
     vec3 side;   /* unit, not even interpolated, likewise */

@@ -65,6 +65,7 @@ static const struct surface *sights_surface(void *context, unsigned i)
                   sight_inside(sights, i), tracer->scene->settings.adc_bailout,
                   false);
     crossing->surface.place = path ? path->place : sight_place(sights, i);
+    crossing->surface.unmirrored = !path || path->straight;
     crossing->surface.weight = sight_worth(sights, i);
     return &crossing->surface;
 }
@@ -77,6 +78,7 @@ static void sights_paint(struct sights *sights)
         unsigned i = (unsigned)__builtin_ctz(each);
         const struct path *path = sights->path[i];
         sights->facets.place[i] = path ? path->place : sight_place(sights, i);
+        sights->facets.unmirrored[i] = !path || path->straight;
         sights->facets.inside[i] = sight_inside(sights, i);
         sights->facets.worth[i] = sight_worth(sights, i);
     }

@@ -323,6 +323,7 @@ bool path_arrive(struct path *path, struct crossing *crossing,
     crossing_fill(crossing, tracer, path->ray.direction, &path->inside,
                   settings->adc_bailout, false);
     crossing->surface.place = path->place;
+    crossing->surface.unmirrored = path->straight;
     crossing->surface.weight = path->weight;
     path_passes(path, crossing->at.leaf);
     if (tracer->quality < QUALITY_LIT) {
