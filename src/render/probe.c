@@ -85,6 +85,7 @@ static void question_init(struct probe_question *q, const struct probing *all,
                                    .from_texture = leaf->look->from_texture };
     q->surface.at = &q->at;
     q->surface.place = NULL;
+    q->surface.unmirrored = false;
     q->surface.point = place;
     q->surface.view = normal;
     q->surface.inside = &q->inside;

@@ -345,6 +345,7 @@ void surface_fill(struct surface *surface, const struct intersection *at,
     surface->at = at;
     surface->point = at->point;
     surface->place = NULL;
+    surface->unmirrored = false;
     surface->weight = 1;
     surface->view = vec3_negate(view->direction);
     surface->inside = view->inside;

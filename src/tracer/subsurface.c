@@ -171,6 +171,7 @@ static rgb light_entering(const struct seen_body *body,
     surface.at = at;
     surface.point = at->point;
     surface.place = NULL;
+    surface.unmirrored = false;
     surface.weight = body->surface->weight / 8; /* one of many */
     surface.view = surface.normal = at->normal;
     surface.side = at->face;

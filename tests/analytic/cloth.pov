@@ -1,6 +1,6 @@
 // A ball of cloth seen from within, which a lamp lights from outside alone.
 // claims: path bounced
-// options path: --samples 4096
+// options path: --samples 1024
 //
 // Of light from behind it sends on b = .4, and of light from before a = .4. In a
 // ball each place gets of all others what they send on the mean. The lamp is

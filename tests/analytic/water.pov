@@ -1,7 +1,7 @@
 // A white disc deep in water, above a floor that glows and below a surface that
 // nothing is above: what goes up more flatly than it can leave comes down.
 // claims: path bounced
-// options path: --samples 4096
+// options path: --samples 1024
 //
 // Of what arrives from above all is of the floor but what comes from within the
 // critical angle, sin^2 = 1/ior^2: e (1 - 1/4), with e = <.6, .3, .9>.
