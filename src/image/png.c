@@ -56,15 +56,6 @@ static void png_flush_nothing(png_structp png)
     (void)png;
 }
 
-/* Rounds v in 0..1 to one of 2^bits levels, spread over 0..top. */
-static unsigned png_level(float v, int bits, unsigned top)
-{
-    unsigned levels = (1u << bits) - 1, level = tone_level(v, levels);
-    if (levels == top)
-        return level;
-    return (unsigned)((float)level * ((float)top / (float)levels) + 0.5f);
-}
-
 /* As below, of the usual kinds, RGB and RGBA. */
 static inline void png_fill_bytes(const struct png_job *job,
                                   const float *restrict pixel, int channels)
@@ -89,11 +80,11 @@ static void png_fill_row(const struct png_job *job, const float *pixel)
         for (int c = 0; c < job->channels; c++) {
             float v = pixel[job->channels < 3 && c == 1 ? 3 : c];
             if (job->depth == 16) {
-                unsigned level = png_level(v, job->bits, 65535);
+                unsigned level = tone_spread(v, job->bits, 65535);
                 *out++ = (unsigned char)(level >> 8);
                 *out++ = (unsigned char)(level & 255);
             } else
-                *out++ = (unsigned char)png_level(v, job->bits, 255);
+                *out++ = (unsigned char)tone_spread(v, job->bits, 255);
         }
     }
 }

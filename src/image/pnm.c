@@ -6,26 +6,14 @@
 
 #include <ctype.h>
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "base/memory.h"
+#include "image/tone.h"
 
 /* ---- writing ---- */
-
-/* Rounds v in 0..1 to one of 2^bits numbers, spread over 0..top. */
-static unsigned pnm_level(float value, int bits, float top)
-{
-    float levels = (float)((1 << bits) - 1);
-    if (!(value > 0))
-        value = 0;
-    else if (value > 1)
-        value = 1;
-    float level = floorf(value * levels + 0.5f);
-    return (unsigned)floorf(level * (top / levels) + 0.5f);
-}
 
 static size_t pnm_fill_row(const struct image_format *format,
                            const float *pixels, int width, unsigned char *row)
@@ -36,7 +24,7 @@ static size_t pnm_fill_row(const struct image_format *format,
     for (int x = 0; x < width; x++, pixels += 4)
         for (int c = 0; c < channels; c++) {
             unsigned level =
-                pnm_level(pixels[c], format->bits, deep ? 65535.0f : 255.0f);
+                tone_spread(pixels[c], format->bits, deep ? 65535 : 255);
             if (deep)
                 *out++ = (unsigned char)(level >> 8);
             *out++ = (unsigned char)(level & 255);

@@ -24,6 +24,15 @@ static inline unsigned tone_level(float v, unsigned top)
     return (unsigned)(int)((v < 1 ? v : 1) * (float)top + 0.5f);
 }
 
+/* The same to one of 2^bits levels, 1 to 16, that are spread over 0..top. */
+static inline unsigned tone_spread(float v, int bits, unsigned top)
+{
+    unsigned levels = (1u << bits) - 1, level = tone_level(v, levels);
+    if (levels == top)
+        return level;
+    return (unsigned)((float)level * ((float)top / (float)levels) + 0.5f);
+}
+
 enum { TONE_TOP = 255, TONE_PARTS = 4096 };
 
 /* tone_level(tone_encode(tone_decode(v, from), to), top) without computing
