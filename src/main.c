@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "cli/moments.h"
 #include "cli/interrupt.h"
 #include "cli/watch.h"
 #include "cli/work.h"
@@ -61,6 +62,7 @@ static bool command_once(struct command *command)
     }
     lighting_forget(&work.kept);
     lighting_forget(&work.last);
+    moments_forget(&work);
     again = again && command_watch(command, &work);
     arena_free(arena);
     return again;

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/telling.h"
 #include "cli/json.h"
+#include "cli/moments.h"
 #include "cli/origin.h"
 #include "cli/stats.h"
 #include "lighting/missing.h"
@@ -127,22 +128,12 @@ static bool frame_probe(struct work *work, const struct tracer *tracer,
     return done;
 }
 
-/* Whether what the lighting method knows after a frame is of use. */
-static bool work_keeps(const struct work *work)
-{
-    const struct options *options = &work->options;
-    const struct frames *frames = &options->frames;
-    return work->lighting->keep &&
-           (options->light.light_mesh.save_file ||
-            (frames->animated && frames->last > frames->first));
-}
-
 /* What the root of an animation has made others may use and add to, and
  * nothing else: so each frame is the same whichever were drawn before it.
  * Another frame's is only for --mesh-save. */
 static void frame_keep(struct work *work, const struct tracer *tracer)
 {
-    if (!work_keeps(work))
+    if (!moment_keeps(work))
         return;
     struct lighting_kept kept = tracer->lighting->keep(tracer->lighting_state);
     lighting_forget(&work->last);
@@ -156,126 +147,21 @@ static void frame_keep(struct work *work, const struct tracer *tracer)
     }
 }
 
-/* What the frame's scene is told. */
-static struct parse_options frame_parsing(const struct work *work, int number)
-{
-    const struct options *options = &work->options;
-    struct parse_options parse = options->parse;
-    frames_tell(&options->frames, number, &parse);
-    parse.stop = work->stop;
-    parse.light_said = &options->light_said;
-    parse.light = &options->light;
-    return parse;
-}
-
-static struct lighting_options frame_lighting(const struct work *work)
-{
-    const struct options *options = &work->options;
-    return (struct lighting_options){ .threads = options->render.threads,
-                                      .width = options->render.width,
-                                      .height = options->render.height,
-                                      .quality = options->quality,
-                                      .numbers = options->probe,
-                                      .stop = work->stop,
-                                      .keep = work_keeps(work),
-                                      .kept = &work->kept,
-                                      .root = options->frames.animated };
-}
-
-static struct world *frame_world(struct work *work, const struct scene *scene)
-{
-    const struct options *options = &work->options;
-    return world_new(scene, options->render.threads,
-                     integrator_for(work->lighting)->sample
-                         ? 0
-                         : render_camera_rays(&options->render),
-                     &work->diag);
-}
-
-/* For what is said elsewhere. */
-static struct diag work_silent(const struct work *work)
-{
-    struct diag silent = work->diag;
-    silent.listen = NULL;
-    silent.out = NULL;
-    return silent;
-}
-
-/* Begins the lighting of a frame, for the points of others. */
-static void root_light(struct work *work, const struct scene *scene,
-                       struct diag *diag)
-{
-    struct world *world = frame_world(work, scene);
-    const struct lighting_options light = frame_lighting(work);
-    void *state =
-        world ? work->lighting->start(world, scene, &light, diag) : NULL;
-    if (state) {
-        work->kept = work->lighting->keep(state);
-        work->lighting->finish(state);
-    }
-    world_free(world);
-}
-
-static bool fingerprints_same(struct fingerprint a, struct fingerprint b)
-{
-    return a.objects == b.objects && a.textures == b.textures &&
-           a.lights == b.lights && a.surroundings == b.surroundings;
-}
-
-/* Begins that of frame `number`; `moves`: also where it shows something else
- * than the scene. Says nothing: when that frame is drawn it will. Returns
- * whether it shows the same. */
-static bool root_try(struct work *work, const struct scene *scene, int number,
-                     bool moves)
-{
-    struct arena *arena = arena_new(0);
-    struct parse_options parse = frame_parsing(work, number);
-    struct diag silent = work_silent(work);
-    struct scene *other = parse_scene(work->source, &parse, arena, &silent);
-    bool same = other && fingerprints_same(scene_fingerprint(scene, true),
-                                           scene_fingerprint(other, true));
-    if (same || (other && moves))
-        root_light(work, other, &silent);
-    scene_free(other);
-    arena_free(arena);
-    return same;
-}
-
-/* Before the first frame of an animation that this process draws: all of them
- * light what they show by one mesh, or where something moves by meshes whose
- * points are in the same places, lest light on what stands still changes from
- * frame to frame. Their root is the last frame. Where only the camera moves it
- * is so only if it is in a chamber, from outside of which nobody would look for
- * what lights it, and else the first. */
-static void root_make(struct work *work, const struct scene *scene, int number)
-{
-    const struct options *options = &work->options;
-    const struct frames *frames = &options->frames;
-    if (!frames->animated || frames->last <= frames->first ||
-        work->kept.bytes || work->root_tried || !work_keeps(work) ||
-        options->light.light_mesh.load_file || options->probe)
-        return;
-    work->root_tried = true;
-    if (!root_try(work, scene, frames->last, true) || work->kept.inside)
-        return;
-    lighting_forget(&work->kept);
-    if (number != frames->first)
-        root_try(work, scene, frames->first, false);
-}
-
 /* Lights the world. */
 static bool frame_light(struct work *work, const struct world *world,
-                        const struct scene *scene, const char *name,
+                        const struct scene *scene,
+                        const struct lighting_moments *around, const char *name,
                         struct stats *stats)
 {
     const struct options *options = &work->options;
     const struct lighting *lighting = work->lighting;
-    const struct lighting_options light = frame_lighting(work);
+    struct lighting_options light = moment_lighting(work);
     struct tracer tracer = { .scene = scene,
                              .world = world,
                              .lighting = lighting,
                              .quality = options->quality,
                              .alpha = options->alpha };
+    light.moments = around;
     tracer.lighting_state = lighting->start(world, scene, &light, &work->diag);
     stats_world(stats, world);
     if (!tracer.lighting_state)
@@ -286,7 +172,7 @@ static bool frame_light(struct work *work, const struct world *world,
     tracer.photons = photons;
     done = done && (options->probe ? frame_probe : frame_draw)(work, &tracer,
                                                                name, stats);
-    if (done)
+    if (done && around->count == 0)
         frame_keep(work, &tracer);
     photon_map_free(photons);
     lighting->finish(tracer.lighting_state);
@@ -294,20 +180,25 @@ static bool frame_light(struct work *work, const struct world *world,
 }
 
 /* Scene to picture or table. */
-static bool frame_render(struct work *work, const struct scene *scene,
+static bool frame_render(struct work *work, struct moment *now,
                          const char *name, struct stats *stats)
 {
     const struct options *options = &work->options;
+    struct lighting_moments around;
     progress_doing(&work->progress, "building it");
-    struct world *world = frame_world(work, scene);
+    moments_around(work, now, &around);
+    struct world *own =
+        now->world ? NULL : moment_world(work, now->scene, &work->diag);
+    const struct world *world = now->world ? now->world : own;
+    moment_tell(now, &work->diag);
     if (!world)
         return false;
     size_t lights;
     world_lights(world, &lights);
     if (!options->probe)
-        missing_tell(scene, lights, world_leaf_count(world), &work->diag);
-    bool done = frame_light(work, world, scene, name, stats);
-    world_free(world);
+        missing_tell(now->scene, lights, world_leaf_count(world), &work->diag);
+    bool done = frame_light(work, world, now->scene, &around, name, stats);
+    world_free(own);
     return done;
 }
 
@@ -329,27 +220,21 @@ static bool stats_are_json(const struct options *options)
 }
 
 /* Text to file. */
-static bool frame_make(struct work *work, int number, const char *name,
-                       struct arena *sources)
+static bool frame_make(struct work *work, const char *name)
 {
-    const struct parse_options parse = frame_parsing(work, number);
     const struct options *options = &work->options;
     struct stats stats = stats_start();
-    struct scene *scene =
-        parse_scene(work->source, &parse, sources, &work->diag);
-    bool good = scene && names_good(&scene->settings, &work->diag);
+    struct moment *now = moments_now(work);
+    bool good = now->scene && names_good(&now->scene->settings, &work->diag);
     frame_note_files(work);
-    if (!good || options->action == ACTION_CHECK) {
-        scene_free(scene);
+    if (!good || options->action == ACTION_CHECK)
         return good;
-    }
     stats_lap(&stats, &stats.parsing);
-    work->lighting = lighting_for(options->lighting, scene);
-    root_make(work, scene, number);
-    bool done = frame_render(work, scene, name, &stats);
+    work->lighting = lighting_for(options->lighting, now->scene);
+    moments_root(work, now);
+    bool done = frame_render(work, now, name, &stats);
     if (done && options->stats)
         (stats_are_json(options) ? stats_json : stats_print)(&stats);
-    scene_free(scene);
     return done;
 }
 
@@ -383,15 +268,16 @@ static void work_add_target(struct work *work, const char *name)
 
 enum work_status frame_run(struct work *work, int index)
 {
-    int number = frames_number(&work->options.frames, index);
+    const int number = frames_number(&work->options.frames, index);
     struct arena *arena = arena_new(0);
     const struct options *options = &work->options;
     const char *name =
         frames_name(&options->frames, number, options->output, arena);
+    work->number = number;
     progress_begin(&work->progress, options, name, index);
     bool done = frame_is_there(work, name, number) ||
-                (picture_can_be(name, &work->diag) &&
-                 frame_make(work, number, name, arena));
+                (picture_can_be(name, &work->diag) && frame_make(work, name));
+    moments_pass(work);
     progress_end(&work->progress);
     writer_free(&work->origin);
     name = frames_name(&options->frames, number, options->named, arena);

@@ -70,16 +70,16 @@ const char *frames_resolve(struct frames *frames, struct arena *arena)
 
 void frames_deal(struct frames *frames, int number, int count)
 {
-    int all = frames_count(frames);
-    frames->none = number > all;
+    const int all = frames_count(frames), longer = all % count,
+              before = number - 1;
+    const int first =
+        before * (all / count) + (before < longer ? before : longer);
+    const int row = all / count + (before < longer);
+    frames->none = row == 0;
     if (frames->none)
         return;
-    frames->begin += (number - 1) * frames->pace;
-    /* One step may be more than there is. */
-    if (count < all)
-        frames->pace *= count;
-    else
-        frames->end = frames->begin;
+    frames->begin += first * frames->pace;
+    frames->end = frames->begin + (row - 1) * frames->pace;
 }
 
 int frames_count(const struct frames *frames)

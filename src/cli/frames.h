@@ -29,7 +29,8 @@ struct frames frames_new(void);
 /* Works out what is said. Returns NULL, or what is wrong with it. */
 const char *frames_resolve(struct frames *frames, struct arena *arena);
 
-/* Leaves of the frames to render every count-th, from the number-th on. */
+/* Leaves of the frames to render the number-th of `count` rows that are about
+ * as long: those beside each other know of each other's light (moments.h). */
 void frames_deal(struct frames *frames, int number, int count);
 
 /* How many frames there are to render: 1 without an animation. */

@@ -266,8 +266,8 @@ static const struct option table[] = {
       .minimum = -FRAME_LIMIT, .maximum = FRAME_LIMIT, .argument = "n",
       .help = "every n-th frame (1); below 0 from the end backwards" },
     WORD("frames", set_text, AT(frames_said), "i/n",
-         "of the frames to render every n-th from the i-th on; array: as the "
-         "array job says"),
+         "of the frames to render the i-th of n rows; array: as the array job "
+         "says"),
 
     GROUP("Work"),
     { NAMES("WT", "Work_Threads"), .word = "threads", .set = set_integer,

@@ -8,6 +8,7 @@
 #include "base/writer.h"
 #include "cli/depend.h"
 #include "cli/kept.h"
+#include "cli/moment.h"
 #include "cli/options.h"
 #include "cli/part.h"
 #include "cli/picture.h"
@@ -21,18 +22,21 @@ enum work_status { WORK_DONE = 0, WORK_FAILED = 1, WORK_INTERRUPTED = 2 };
 struct work {
     struct options options;
     const struct source *source;
-    const struct lighting *lighting; /* of this frame's scene */
+    int number;                      /* of the frame that is drawn, */
+    const struct lighting *lighting; /* of its scene */
     struct probe_file points;        /* of --probe */
     struct lighting_kept kept;       /* by the root of all frames, and them */
     struct lighting_kept last;       /* for --mesh-save, if that is not it */
     bool root_tried;                 /* to begin that one's lighting */
-    size_t first_file;               /* of options.parse.asked, for the scene */
-    struct targets targets;          /* of --depend: pictures, kept or drawn */
-    struct kept pictures;            /* by +C */
-    struct writer origin;            /* of the frame's picture */
-    struct part part;                /* of it, that is drawn */
-    char left[PATH_MAX];             /* the part file that +C goes on with */
-    struct unfinished unfinished;    /* picture, if the work was stopped */
+    bool moves, moves_tried;         /* whether anything but the camera does */
+    struct moment around[LIGHTING_MOMENTS]; /* frames around, by numbers */
+    size_t first_file;            /* of options.parse.asked, for the scene */
+    struct targets targets;       /* of --depend: pictures, kept or drawn */
+    struct kept pictures;         /* by +C */
+    struct writer origin;         /* of the frame's picture */
+    struct part part;             /* of it, that is drawn */
+    char left[PATH_MAX];          /* the part file that +C goes on with */
+    struct unfinished unfinished; /* picture, if the work was stopped */
     struct progress progress;
     const atomic_int *stop;
     struct diag diag;

@@ -41,6 +41,16 @@ enum kept_use {
     KEPT_ONLY,  /* as KEPT_SCENE; without it `start` gives NULL, silently */
 };
 
+/* Frames of an animation around one, and that itself, as the same method has
+ * lit them: by which its light may be smoothed, lest it flickers. */
+enum { MOMENTS_REACH = 2, LIGHTING_MOMENTS = 2 * MOMENTS_REACH + 1 };
+struct lighting_moments {
+    size_t count; /* 0: there are none */
+    size_t now;   /* which is the frame itself */
+    const void *state[LIGHTING_MOMENTS];
+    double weight[LIGHTING_MOMENTS];
+};
+
 struct lighting_options {
     unsigned threads;
     int quality;       /* +Q, 0..11 */
@@ -54,6 +64,7 @@ struct lighting_options {
     enum kept_use kept_use;           /* and this */
     bool root; /* the picture is one of an animation, and that is its root's:
                 * where something moves its plan counts, too */
+    const struct lighting_moments *moments; /* or NULL; outlive the state */
 };
 
 struct facets;
@@ -86,6 +97,9 @@ struct lighting {
     void *(*start)(const struct world *world, const struct scene *scene,
                    const struct lighting_options *options, struct diag *diag);
     void (*finish)(void *state);
+    /* Whether light that is asked of it is worth smoothing by moments. NULL:
+     * never. */
+    bool (*by_moments)(const void *state);
     /* Whether the method wants to know what the camera sees first at all places
      * of a grid (whose `at` is not there yet) before it lights any of it; then
      * `prepare` is called, with a worker for each thread, and `at` is the

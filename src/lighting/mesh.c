@@ -9,6 +9,7 @@
 #include "lighting/mesh_diffuse.h"
 #include "lighting/mesh_known.h"
 #include "lighting/mesh_lamps.h"
+#include "lighting/mesh_moments.h"
 #include "lighting/mesh_survey.h"
 #include "lighting/mesh_views.h"
 #include "lighting/names.h"
@@ -40,9 +41,11 @@ static void mesh_finish(void *state)
     mesh_pixels_free(&mesh->pixels);
     indirect_pixels_free(mesh->indirect_pixels);
     mesh_clear(mesh);
-    void_skeleton_free(&mesh->close);
+    if (!mesh->now)
+        void_skeleton_free(&mesh->close);
+    if (!mesh->now)
+        virtual_lights_free(mesh->virtual_lights);
     emitters_free(mesh->emitters);
-    virtual_lights_free(mesh->virtual_lights);
     lamps_free(&mesh->lamps);
     memory_free(mesh);
 }
@@ -100,6 +103,21 @@ static void mesh_see(struct mesh_lighting *mesh, const struct scene *scene,
         frame->samples = (int)fmax(frame->samples, CHAMBER_BLIND);
 }
 
+/* Where mesh points are. */
+static void mesh_frame_plan(struct mesh_lighting *mesh,
+                            const struct scene *scene,
+                            const struct outlook *outlook,
+                            const struct lighting_options *options)
+{
+    mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
+    const struct survey known = { .closed = mesh->root.closed,
+                                  .lit = mesh->root.lit,
+                                  .bright = mesh->root.bright };
+    mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
+    mesh->stamp.frame =
+        plan_frame(scene, outlook, &mesh->survey, options->root, 0);
+}
+
 /* What is known already, and meshes for the rest. */
 static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
                        const struct outlook *outlook,
@@ -111,6 +129,7 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     const struct interpolation *interpolation =
         names_interpolation(&scene->settings, diag);
     struct mesh_known known;
+    mesh_frame_plan(mesh, scene, outlook, options);
     bool done =
         mesh_known_find(&known, &mesh->stamp, options, said->load_file, diag);
     if (done && known.found) {
@@ -137,21 +156,6 @@ static bool mesh_begin(struct mesh_lighting *mesh, const struct scene *scene,
     return done;
 }
 
-/* Where mesh points are. */
-static void mesh_frame_plan(struct mesh_lighting *mesh,
-                            const struct scene *scene,
-                            const struct outlook *outlook,
-                            const struct lighting_options *options)
-{
-    mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
-    const struct survey known = { .closed = mesh->root.closed,
-                                  .lit = mesh->root.lit,
-                                  .bright = mesh->root.bright };
-    mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
-    mesh->stamp.frame =
-        plan_frame(scene, outlook, &mesh->survey, options->root, 0);
-}
-
 static void *mesh_start(const struct world *world, const struct scene *scene,
                         const struct lighting_options *options,
                         struct diag *diag)
@@ -172,8 +176,8 @@ static void *mesh_start(const struct world *world, const struct scene *scene,
         mesh->stamp =
             mesh_stamp_new(scene, plan_held(said, mesh->lamps.count),
                            said->indirect.on, options->quality, options->seed);
-    mesh_frame_plan(mesh, scene, &outlook, options);
-    if (!mesh_begin(mesh, scene, &outlook, options, diag)) {
+    if (!mesh_by_moments(mesh, scene, options, diag) &&
+        !mesh_begin(mesh, scene, &outlook, options, diag)) {
         mesh_finish(mesh);
         return NULL;
     }
@@ -293,6 +297,12 @@ static void mesh_illuminate_many(const void *state, struct worker *worker,
     }
 }
 
+static bool mesh_gathers(const void *state)
+{
+    const struct mesh_lighting *mesh = state;
+    return mesh->indirect != NULL;
+}
+
 static const struct lamps *mesh_lamps(const void *state)
 {
     const struct mesh_lighting *mesh = state;
@@ -328,6 +338,9 @@ static void mesh_tell(const void *state, lighting_row *row, void *context)
     if (mesh->emitters)
         survey_tell(&mesh->survey, row, context);
     plan_tell(&mesh->plan, row, context);
+    if (mesh->indirect && mesh->indirect->moments.count > 0)
+        row(context, "plan frames around", mesh->indirect->moments.count - 1,
+            "");
     mesh_report_tell(&mesh->report, row, context);
 }
 
@@ -369,6 +382,7 @@ const struct lighting mesh_lighting = {
     .help = "light meshes: light from surface to surface, and of many lamps",
     .start = mesh_start,
     .finish = mesh_finish,
+    .by_moments = mesh_gathers,
     .foresees = mesh_foresees,
     .prepare = mesh_look_ahead,
     .illuminate = mesh_illuminate,

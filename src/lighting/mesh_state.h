@@ -35,7 +35,9 @@ struct mesh_lighting {
     struct mesh_stamp stamp;
     bool rooted;            /* its animation has a root, and something moves: */
     struct mesh_frame root; /* where that has its points */
-    int width, height;      /* of the picture, pixels */
+    const struct mesh_lighting *now; /* whose are `close` and virtual_lights, if
+                                      * it is smoothed by moments, or NULL */
+    int width, height;               /* of the picture, pixels */
 };
 
 /* The meshes of the stamp's frame, without points. */

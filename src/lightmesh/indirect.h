@@ -52,6 +52,18 @@ struct indirect_options {
 };
 
 struct near_glow;
+struct indirect_mesh;
+
+/* Meshes like one, of moments around it, its own among them. */
+enum { MOMENTS_MOST = 5 };
+struct indirect_moments {
+    int count; /* 0: it knows what it gathers by itself */
+    int now;   /* which is its own */
+    struct {
+        const struct indirect_mesh *mesh;
+        double weight;
+    } at[MOMENTS_MOST];
+};
 
 struct indirect_mesh {
     struct gather gather;
@@ -71,7 +83,8 @@ struct indirect_mesh {
     struct near_ways near_own;                   /* and in a crevice, */
     double own_worth;                            /* which count so much */
     struct onwards near_onwards;                 /* likewise */
-    struct near_glow *near_glow; /* what mesh points leave out; or NULL */
+    struct near_glow *near_glow;     /* what mesh points leave out; or NULL */
+    struct indirect_moments moments; /* by which what points know is smoothed */
 };
 
 /* Frees with indirect_mesh_free. All that is given must outlive it. */
@@ -80,6 +93,10 @@ struct indirect_mesh *indirect_mesh_new(const struct direct_mesh *direct,
                                         const struct ambience *ambience,
                                         const struct indirect_options *options);
 void indirect_mesh_free(struct indirect_mesh *mesh);
+
+/* Smooths what its points will know by these: lightmesh/moments.c. */
+void indirect_mesh_smooth(struct indirect_mesh *mesh,
+                          const struct indirect_moments *moments);
 
 /* Whether what the receiver gets is left to what ends the bounces: the picture
  * shows too little of it. */

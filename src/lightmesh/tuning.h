@@ -85,9 +85,11 @@ static const double kept_levels = 1; /* by which points are nearer to each
                                       * other than wanted, or farther off,
                                       * before others are asked, ... */
 static const double follow_levels =
-    0.5;                  /* the same of another picture of an animation in
-                           * which something moves: as these can be afforded
-                           * [flicker] */
+    0.5; /* the same of another picture of an animation in
+          * which something moves: as these can be afforded
+          * [flicker] */
+static const double moments_alike = 0.05, /* light that differs by less, */
+    moments_apart = 0.15; /* by more: smoothed in full, not at all [flicker] */
 enum { KEPT_LEVELS = 6 }; /* which are up to so many levels finer or coarser */
 static const double kept_rays = 4; /* times as many that are wanted of a point:
                                     * others are made */
@@ -149,10 +151,7 @@ static const double spread_single = 0.94; /* and of a triangle */
 static const double asked_cell = 0.6, asked_shared = 4; /* of the budget */
 static const double asked_fully = 0.3; /* smaller triangles ask fewer lamps */
 static const double facet_lift = 0.05; /* from where points are looked for */
-enum {
-    FACETS_MOST = 250000
-}; /* of more triangles none stands alone
-    * [triangles-1000000] */
+enum { FACETS_MOST = 250000 }; /* of more none stands alone [triangles-...] */
 
 /* Pixels as mesh points [lights-10 to lights-1000, forest]. Times in seconds,
  * as measured; only their ratios count. */

@@ -234,10 +234,43 @@ static uint64_t texture_hash(struct walk *walk, const struct texture *texture)
     return known_add(walk, texture, hash);
 }
 
+static uint64_t pigment_paint(uint64_t hash, const struct pigment *pigment)
+{
+    const struct blend_map *map = pigment->map;
+    hash = hash_colour(random_key(hash, pigment->kind), pigment->colour);
+    for (size_t i = 0; map && i < map->count; i++) {
+        hash = hash_colour(hash, map->entries[i].colour);
+        if (map->entries[i].pigment)
+            hash = pigment_paint(hash, map->entries[i].pigment);
+    }
+    return hash;
+}
+
+/* What its colours and finishes are, without its patterns. Known by an address
+ * within the texture, since that itself is for all of it. */
+static uint64_t texture_paint(struct walk *walk, const struct texture *texture)
+{
+    const struct texture_choice *choice = texture->choice;
+    const void *at = &texture->count;
+    const uint64_t *known = known_find(walk, at);
+    if (known)
+        return *known;
+    uint64_t hash = 1;
+    for (size_t i = 0; choice && i < choice->count; i++)
+        hash =
+            random_key(hash, texture_paint(walk, choice->entries[i].texture));
+    for (size_t i = 0; !choice && i < texture->count; i++)
+        hash = finish_hash(pigment_paint(hash, texture->layers[i].pigment),
+                           texture->layers[i].finish);
+    return known_add(walk, at, hash);
+}
+
 /* Of textures that don't count not even the places do. */
 static void walk_texture(struct walk *walk, const struct texture *texture,
                          const affine *place)
 {
+    walk->found.kinds =
+        random_key(walk->found.kinds, texture_paint(walk, texture));
     uint64_t *textures = &walk->found.textures;
     uint64_t hash = texture_hash(walk, texture);
     *textures = random_key(*textures, hash);
@@ -250,6 +283,7 @@ static uint64_t mesh_hash(struct walk *walk, const struct mesh *mesh)
     const uint64_t *known = known_find(walk, mesh);
     if (known)
         return *known;
+    walk->found.size += mesh->triangle_count;
     uint64_t hash = hash_vector(random_mix(mesh->solid), mesh->inside_vector);
     hash = hash_bytes(hash, mesh->vertices,
                       mesh->vertex_count * sizeof *mesh->vertices);
@@ -300,6 +334,15 @@ static void walk_material(struct walk *walk, const struct object *object,
     affine media = affine_compose(outer, *object->maps->interior);
     *textures =
         media_hash(walk, hash_affine(*textures, &media), &interior->media);
+}
+
+/* Whatever its numbers are. */
+static uint64_t kind_hash(const struct object *object)
+{
+    uint64_t hash = random_key(object->kind, object->more->child_count);
+    return object->kind == OBJECT_SHAPE
+               ? hash_text(hash, object->primitive->name)
+               : hash;
 }
 
 static uint64_t shape_hash(struct walk *walk, const struct object *object)
@@ -353,6 +396,8 @@ static void walk_object(struct walk *walk, const struct object *object,
             walk_object(walk, light.window, place);
         return;
     }
+    found->size++;
+    found->kinds = random_key(found->kinds, kind_hash(object));
     found->objects = random_key(found->objects, shape_hash(walk, object));
     found->objects = hash_affine(found->objects, &place);
     walk_material(walk, object, outer);

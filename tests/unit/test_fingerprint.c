@@ -156,6 +156,45 @@ static void test_finishes(void **state)
     }
 }
 
+/* Where things are doesn't count, nor how large they are. */
+static void test_kinds(void **state)
+{
+    const char *own = "sphere { 0, 1 pigment { rgb x } finish { diffuse 1 } }";
+    const struct fingerprint is = fingerprint_of(own);
+    const struct {
+        const char *text;
+        bool same;
+    } other[] = {
+        { "sphere { y, 2 pigment { rgb x } finish { diffuse 1 } "
+          "rotate 20 * y }",
+          true },
+        { "box { 0, 1 pigment { rgb x } finish { diffuse 1 } }", false },
+        { "sphere { 0, 1 pigment { rgb y } finish { diffuse 1 } }", false },
+        { "sphere { 0, 1 pigment { rgb x } finish { diffuse .5 } }", false },
+        { "sphere { 0, 1 pigment { rgb x } finish { diffuse 1 } } "
+          "sphere { 5, 1 }",
+          false },
+    };
+    (void)state;
+    assert_int_equal(is.size, 1);
+    for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
+        const struct fingerprint found = fingerprint_of(other[i].text);
+        assert_int_equal(found.kinds == is.kinds, other[i].same);
+        assert_false(fingerprint_same(&found, &is));
+    }
+}
+
+/* Triangles of a mesh that is there twice count once. */
+static void test_size(void **state)
+{
+    const struct fingerprint found = fingerprint_of(
+        "#version 3.7; global_settings { assumed_gamma 1 } #declare M = mesh { "
+        "triangle { 0, x, y } triangle { 0, x, z } } "
+        "object { M } object { M translate x }");
+    (void)state;
+    assert_int_equal(found.size, 4);
+}
+
 /* Single numbers, vectors, or both, in the order of the table. */
 static void test_numbers(void **state)
 {
@@ -189,6 +228,7 @@ int main(void)
         cmocka_unit_test(test_lamps),        cmocka_unit_test(test_insides),
         cmocka_unit_test(test_surroundings), cmocka_unit_test(test_textures),
         cmocka_unit_test(test_finishes),     cmocka_unit_test(test_numbers),
+        cmocka_unit_test(test_kinds),        cmocka_unit_test(test_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

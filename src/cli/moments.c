@@ -1,0 +1,184 @@
+/* What frames do for each other: see moments.h. */
+#include "cli/moments.h"
+
+#include <stdlib.h>
+
+enum {
+    MOMENTS_ROW = 2 * LIGHTING_MOMENTS, /* frames: each lights few for itself */
+    MOMENTS_SIZE = 300 * 1000           /* fingerprint: memory is for five */
+};
+
+/* Begins the lighting of frame `number`, for the points of others; `moves`:
+ * also where it shows something else than `now`. Returns whether it shows
+ * the same. */
+static bool root_try(struct work *work, const struct moment *now, int number,
+                     bool moves)
+{
+    struct moment root;
+    moment_read(&root, work, number, NULL);
+    bool same = root.scene && fingerprint_same(&now->print, &root.print);
+    if (same || (root.scene && moves))
+        moment_light(&root, work);
+    if (root.state)
+        work->kept = work->lighting->keep(root.state);
+    moment_free(&root);
+    return same;
+}
+
+/* The root is the last frame. Where only the camera moves it is so only if it
+ * is in a chamber, from outside of which nobody would look for what lights it,
+ * and else the first. */
+void moments_root(struct work *work, const struct moment *now)
+{
+    const struct options *options = &work->options;
+    const struct frames *frames = &options->frames;
+    if (!frames->animated || frames->last <= frames->first ||
+        work->kept.bytes || work->root_tried || !moment_keeps(work) ||
+        options->light.light_mesh.load_file || options->probe)
+        return;
+    work->root_tried = true;
+    if (!root_try(work, now, frames->last, true) || work->kept.inside)
+        return;
+    struct lighting_kept last = work->kept;
+    work->kept = (struct lighting_kept){ .bytes = NULL };
+    if (work->number == frames->first ||
+        root_try(work, now, frames->first, false))
+        lighting_forget(&last);
+    else
+        work->kept = last;
+}
+
+/* Whether anything but the camera moves, as the first frame, the last and the
+ * one between them have it: whichever of them are drawn. */
+static bool animation_moves(const struct work *work)
+{
+    const struct frames *frames = &work->options.frames;
+    const int number[] = { frames->first,
+                           frames->first + (frames->last - frames->first) / 2,
+                           frames->last };
+    struct fingerprint print[3];
+    for (int i = 0; i < 3; i++) {
+        struct moment moment;
+        moment_read(&moment, work, number[i], NULL);
+        print[i] = moment.print;
+        moment_free(&moment);
+    }
+    return !fingerprint_same(&print[0], &print[1]) ||
+           !fingerprint_same(&print[0], &print[2]);
+}
+
+/* Whether so many frames are drawn in a row that most are used by all around
+ * them. */
+static bool moments_wanted(struct work *work)
+{
+    const struct options *options = &work->options;
+    const struct frames *frames = &options->frames;
+    if (!work->lighting->by_moments || options->probe || !frames->animated ||
+        abs(frames->pace) != 1 || frames_count(frames) < MOMENTS_ROW ||
+        options->light.light_mesh.load_file ||
+        options->light.light_mesh.save_file)
+        return false;
+    if (!work->moves_tried)
+        work->moves = animation_moves(work);
+    work->moves_tried = true;
+    return work->moves;
+}
+
+/* Where a frame is kept, with those around it. */
+static struct moment *moment_place(struct work *work, int number)
+{
+    int place = number % LIGHTING_MOMENTS;
+    return &work->around[place < 0 ? place + LIGHTING_MOMENTS : place];
+}
+
+/* The frame of that number, read, unless that has been done. */
+static struct moment *moment_at(struct work *work, int number,
+                                struct diag *diag)
+{
+    struct moment *at = moment_place(work, number);
+    if (at->arena && at->number == number)
+        return at;
+    moment_free(at);
+    moment_read(at, work, number, diag);
+    return at;
+}
+
+/* Files may have changed since it was read. */
+struct moment *moments_now(struct work *work)
+{
+    struct moment *now = moment_place(work, work->number);
+    if (now->arena && file_list_changed(&now->asked))
+        moment_free(now);
+    now = moment_at(work, work->number, &work->diag);
+    moment_tell(now, &work->diag);
+    for (size_t i = 0; i < now->asked.count; i++)
+        file_list_add(work->options.parse.asked,
+                      file_list_path(&now->asked, i));
+    return now;
+}
+
+/* Frames with other lamps, or another sky, have another light; with other
+ * things they are no animation of these. */
+static bool moment_serves(struct work *work, const struct moment *now,
+                          struct moment *other)
+{
+    if (!other->scene || other->print.kinds != now->print.kinds ||
+        other->print.lights != now->print.lights ||
+        other->print.surroundings != now->print.surroundings)
+        return false;
+    if (!other->world)
+        moment_light(other, work);
+    return other->state && other->lighting == work->lighting;
+}
+
+/* Whether another frame is there and shows something else. */
+static bool moment_differs(const struct moment *now, const struct moment *other)
+{
+    return other->scene && !fingerprint_same(&other->print, &now->print);
+}
+
+void moments_around(struct work *work, struct moment *now,
+                    struct lighting_moments *found)
+{
+    const struct frames *frames = &work->options.frames;
+    struct moment *around[LIGHTING_MOMENTS];
+    int count = 0, others = 0;
+    found->count = 0;
+    if (!moments_wanted(work) || now->print.size > MOMENTS_SIZE)
+        return;
+    for (int i = now->number - MOMENTS_REACH; i <= now->number + MOMENTS_REACH;
+         i++)
+        if (i >= frames->first && i <= frames->last)
+            around[count++] = moment_at(work, i, NULL);
+    for (int i = 0; i < count; i++)
+        others += moment_differs(now, around[i]);
+    if (others == 0 || !moment_serves(work, now, now) ||
+        !work->lighting->by_moments(now->state))
+        return;
+    for (int i = 0; i < count; i++) {
+        const int apart = abs(around[i]->number - now->number);
+        if (!moment_serves(work, now, around[i]))
+            continue;
+        if (apart == 0)
+            found->now = found->count;
+        found->weight[found->count] = MOMENTS_REACH + 1 - apart;
+        found->state[found->count++] = around[i]->state;
+    }
+}
+
+void moments_pass(struct work *work)
+{
+    const int pace = work->options.frames.pace;
+    for (int i = 0; i < LIGHTING_MOMENTS; i++) {
+        struct moment *at = &work->around[i];
+        if (!work->moves || at->print.size > MOMENTS_SIZE ||
+            (work->number - at->number) * pace >= MOMENTS_REACH)
+            moment_free(at);
+    }
+}
+
+void moments_forget(struct work *work)
+{
+    for (int i = 0; i < LIGHTING_MOMENTS; i++)
+        moment_free(&work->around[i]);
+}
