@@ -119,50 +119,59 @@ struct moment *moments_now(struct work *work)
 
 /* Frames with other lamps, or another sky, have another light; with other
  * things they are no animation of these. */
-static bool moment_serves(struct work *work, const struct moment *now,
-                          struct moment *other)
+static bool moment_serves(const struct moment *now, const struct moment *other)
 {
-    if (!other->scene || other->print.kinds != now->print.kinds ||
-        other->print.lights != now->print.lights ||
-        other->print.surroundings != now->print.surroundings)
-        return false;
-    if (!other->world)
-        moment_light(other, work);
-    return other->state && other->lighting == work->lighting;
+    const struct fingerprint *a = &now->print, *b = &other->print;
+    return other->scene && a->kinds == b->kinds && a->lights == b->lights &&
+           a->surroundings == b->surroundings;
 }
 
-/* Whether another frame is there and shows something else. */
-static bool moment_differs(const struct moment *now, const struct moment *other)
+static bool moment_is_lit(struct moment *moment, const struct work *work)
 {
-    return other->scene && !fingerprint_same(&other->print, &now->print);
+    if (!moment->world)
+        moment_light(moment, work);
+    return moment->state && moment->lighting == work->lighting;
+}
+
+/* The frames around that serve, in their order, itself among them; none if
+ * nothing moves in any. Returns how many. */
+static int moments_serving(struct work *work, const struct moment *now,
+                           struct moment *serving[LIGHTING_MOMENTS])
+{
+    const struct frames *frames = &work->options.frames;
+    int count = 0, others = 0;
+    for (int i = now->number - MOMENTS_REACH; i <= now->number + MOMENTS_REACH;
+         i++) {
+        if (i < frames->first || i > frames->last)
+            continue;
+        struct moment *at = moment_at(work, i, NULL);
+        if (!moment_serves(now, at))
+            continue;
+        others += !fingerprint_same(&at->print, &now->print);
+        serving[count++] = at;
+    }
+    return others > 0 ? count : 0;
 }
 
 void moments_around(struct work *work, struct moment *now,
                     struct lighting_moments *found)
 {
-    const struct frames *frames = &work->options.frames;
-    struct moment *around[LIGHTING_MOMENTS];
-    int count = 0, others = 0;
+    struct moment *serving[LIGHTING_MOMENTS];
     found->count = 0;
     if (!moments_wanted(work) || now->print.size > MOMENTS_SIZE)
         return;
-    for (int i = now->number - MOMENTS_REACH; i <= now->number + MOMENTS_REACH;
-         i++)
-        if (i >= frames->first && i <= frames->last)
-            around[count++] = moment_at(work, i, NULL);
-    for (int i = 0; i < count; i++)
-        others += moment_differs(now, around[i]);
-    if (others == 0 || !moment_serves(work, now, now) ||
+    int count = moments_serving(work, now, serving);
+    if (count == 0 || !moment_is_lit(now, work) ||
         !work->lighting->by_moments(now->state))
         return;
     for (int i = 0; i < count; i++) {
-        const int apart = abs(around[i]->number - now->number);
-        if (!moment_serves(work, now, around[i]))
+        if (!moment_is_lit(serving[i], work))
             continue;
-        if (apart == 0)
+        if (serving[i] == now)
             found->now = found->count;
-        found->weight[found->count] = MOMENTS_REACH + 1 - apart;
-        found->state[found->count++] = around[i]->state;
+        found->weight[found->count] =
+            MOMENTS_REACH + 1 - abs(serving[i]->number - now->number);
+        found->state[found->count++] = serving[i]->state;
     }
 }
 

@@ -46,7 +46,7 @@ static void moments_fill(const void *context, struct worker *worker,
     const struct indirect_light *own =
         moment_knows(moments->at[moments->now].mesh, worker, site);
     *light = indirect_light_none;
-    for (int i = 0; i < moments->count && !worker_stopped(worker); i++) {
+    for (int i = 0; i < moments->count; i++) {
         const struct indirect_light *other =
             moment_knows(moments->at[i].mesh, worker, site);
         double weight = moments->at[i].weight * moment_alike(own, other);
