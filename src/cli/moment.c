@@ -100,10 +100,11 @@ void moment_tell(struct moment *moment, struct diag *diag)
 
 void moment_light(struct moment *moment, const struct work *work)
 {
-    const struct lighting_options light = moment_lighting(work);
+    struct lighting_options light = moment_lighting(work);
     struct diag kept = moment_diag(moment, work), silent = work->diag;
     silent.listen = NULL;
     silent.out = NULL;
+    light.smooths = work->smooths;
     moment->lighting = work->lighting;
     moment->world = moment_world(work, moment->scene, &kept);
     if (moment->world)

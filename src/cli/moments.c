@@ -8,6 +8,50 @@ enum {
     MOMENTS_SIZE = 300 * 1000           /* fingerprint: memory is for five */
 };
 
+/* Frames with other lamps, or another sky, have another light; with other
+ * things they are no animation of these. */
+static bool prints_serve(const struct fingerprint *a,
+                         const struct fingerprint *b)
+{
+    return a->kinds == b->kinds && a->lights == b->lights &&
+           a->surroundings == b->surroundings;
+}
+
+/* Whether something moves, but no lamp, as the first frame, the last and the
+ * one between them have it: whichever of them are drawn. */
+static bool animation_moves(const struct work *work)
+{
+    const struct frames *frames = &work->options.frames;
+    const int number[] = { frames->first,
+                           frames->first + (frames->last - frames->first) / 2,
+                           frames->last };
+    struct fingerprint print[3];
+    for (int i = 0; i < 3; i++) {
+        struct moment moment;
+        moment_read(&moment, work, number[i], NULL);
+        print[i] = moment.print;
+        moment_free(&moment);
+    }
+    return prints_serve(&print[0], &print[1]) &&
+           prints_serve(&print[0], &print[2]) &&
+           (!fingerprint_same(&print[0], &print[1]) ||
+            !fingerprint_same(&print[0], &print[2]));
+}
+
+/* Whether so many frames are drawn in a row in which something moves that most
+ * are used by all around them. */
+static bool moments_wanted(const struct work *work)
+{
+    const struct options *options = &work->options;
+    const struct frames *frames = &options->frames;
+    if (!work->lighting->by_moments || options->probe || !frames->animated ||
+        abs(frames->pace) != 1 || frames_count(frames) < MOMENTS_ROW ||
+        options->light.light_mesh.load_file ||
+        options->light.light_mesh.save_file)
+        return false;
+    return animation_moves(work);
+}
+
 /* Begins the lighting of frame `number`, for the points of others; `moves`:
  * also where it shows something else than `now`. Returns whether it shows
  * the same. */
@@ -37,6 +81,7 @@ void moments_root(struct work *work, const struct moment *now)
         options->light.light_mesh.load_file || options->probe)
         return;
     work->root_tried = true;
+    work->smooths = moments_wanted(work);
     if (!root_try(work, now, frames->last, true) || work->kept.inside)
         return;
     struct lighting_kept last = work->kept;
@@ -46,42 +91,6 @@ void moments_root(struct work *work, const struct moment *now)
         lighting_forget(&last);
     else
         work->kept = last;
-}
-
-/* Whether anything but the camera moves, as the first frame, the last and the
- * one between them have it: whichever of them are drawn. */
-static bool animation_moves(const struct work *work)
-{
-    const struct frames *frames = &work->options.frames;
-    const int number[] = { frames->first,
-                           frames->first + (frames->last - frames->first) / 2,
-                           frames->last };
-    struct fingerprint print[3];
-    for (int i = 0; i < 3; i++) {
-        struct moment moment;
-        moment_read(&moment, work, number[i], NULL);
-        print[i] = moment.print;
-        moment_free(&moment);
-    }
-    return !fingerprint_same(&print[0], &print[1]) ||
-           !fingerprint_same(&print[0], &print[2]);
-}
-
-/* Whether so many frames are drawn in a row that most are used by all around
- * them. */
-static bool moments_wanted(struct work *work)
-{
-    const struct options *options = &work->options;
-    const struct frames *frames = &options->frames;
-    if (!work->lighting->by_moments || options->probe || !frames->animated ||
-        abs(frames->pace) != 1 || frames_count(frames) < MOMENTS_ROW ||
-        options->light.light_mesh.load_file ||
-        options->light.light_mesh.save_file)
-        return false;
-    if (!work->moves_tried)
-        work->moves = animation_moves(work);
-    work->moves_tried = true;
-    return work->moves;
 }
 
 /* Where a frame is kept, with those around it. */
@@ -117,15 +126,6 @@ struct moment *moments_now(struct work *work)
     return now;
 }
 
-/* Frames with other lamps, or another sky, have another light; with other
- * things they are no animation of these. */
-static bool moment_serves(const struct moment *now, const struct moment *other)
-{
-    const struct fingerprint *a = &now->print, *b = &other->print;
-    return other->scene && a->kinds == b->kinds && a->lights == b->lights &&
-           a->surroundings == b->surroundings;
-}
-
 static bool moment_is_lit(struct moment *moment, const struct work *work)
 {
     if (!moment->world)
@@ -145,7 +145,7 @@ static int moments_serving(struct work *work, const struct moment *now,
         if (i < frames->first || i > frames->last)
             continue;
         struct moment *at = moment_at(work, i, NULL);
-        if (!moment_serves(now, at))
+        if (!at->scene || !prints_serve(&at->print, &now->print))
             continue;
         others += !fingerprint_same(&at->print, &now->print);
         serving[count++] = at;
@@ -158,11 +158,11 @@ void moments_around(struct work *work, struct moment *now,
 {
     struct moment *serving[LIGHTING_MOMENTS];
     found->count = 0;
-    if (!moments_wanted(work) || now->print.size > MOMENTS_SIZE)
+    if (!work->smooths || now->print.size > MOMENTS_SIZE)
         return;
     int count = moments_serving(work, now, serving);
-    if (count == 0 || !moment_is_lit(now, work) ||
-        !work->lighting->by_moments(now->state))
+    if (count == 0 || !work->lighting->by_moments ||
+        !moment_is_lit(now, work) || !work->lighting->by_moments(now->state))
         return;
     for (int i = 0; i < count; i++) {
         if (!moment_is_lit(serving[i], work))
@@ -180,7 +180,7 @@ void moments_pass(struct work *work)
     const int pace = work->options.frames.pace;
     for (int i = 0; i < LIGHTING_MOMENTS; i++) {
         struct moment *at = &work->around[i];
-        if (!work->moves || at->print.size > MOMENTS_SIZE ||
+        if (!work->smooths || at->print.size > MOMENTS_SIZE ||
             (work->number - at->number) * pace >= MOMENTS_REACH)
             moment_free(at);
     }

@@ -28,8 +28,8 @@ struct work {
     struct lighting_kept kept;       /* by the root of all frames, and them */
     struct lighting_kept last;       /* for --mesh-save, if that is not it */
     bool root_tried;                 /* to begin that one's lighting */
-    bool moves, moves_tried;         /* whether anything but the camera does */
-    struct moment around[LIGHTING_MOMENTS]; /* frames around, by numbers */
+    bool smooths; /* whether frames do, by the light of those around them: */
+    struct moment around[LIGHTING_MOMENTS]; /* these, by number */
     size_t first_file;            /* of options.parse.asked, for the scene */
     struct targets targets;       /* of --depend: pictures, kept or drawn */
     struct kept pictures;         /* by +C */

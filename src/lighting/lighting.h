@@ -62,9 +62,11 @@ struct lighting_options {
     const struct lighting_kept *kept; /* by the picture before, or NULL; used
                                        * only if it is of the same scene, */
     enum kept_use kept_use;           /* and this */
-    bool root; /* the picture is one of an animation, and that is its root's:
-                * where something moves its plan counts, too */
-    const struct lighting_moments *moments; /* or NULL; outlive the state */
+    bool root;    /* the picture is one of an animation, and that is its root's:
+                   * where something moves its plan counts, too */
+    bool smooths; /* its light will be one of the moments of others, and */
+    const struct lighting_moments *moments; /* of the picture, or NULL; outlive
+                                             * the state */
 };
 
 struct facets;

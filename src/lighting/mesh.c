@@ -81,7 +81,8 @@ static void mesh_open(struct mesh_lighting *mesh, const struct scene *scene,
     mesh->virtual_lights = NULL;
     void_skeleton_free(&mesh->close);
     mesh->close = (struct void_skeleton){ NULL, NULL };
-    mesh->stamp.frame = plan_frame(scene, outlook, survey, options->root, 0);
+    mesh->stamp.frame =
+        plan_frame(scene, outlook, survey, mesh_film(options), 0);
 }
 
 /* Where the skeleton doesn't know the light a chamber gathers more, for rays
@@ -115,7 +116,7 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                                   .bright = mesh->root.bright };
     mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
     mesh->stamp.frame =
-        plan_frame(scene, outlook, &mesh->survey, options->root, 0);
+        plan_frame(scene, outlook, &mesh->survey, mesh_film(options), 0);
 }
 
 /* What is known already, and meshes for the rest. */

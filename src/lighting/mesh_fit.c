@@ -2,6 +2,7 @@
 #include "lighting/mesh_state.h"
 
 #include "lighting/mesh_close.h"
+#include "lighting/mesh_survey.h"
 #include "lightmesh/census.h"
 #include "lightmesh/indirect.h"
 #include "lightmesh/plan_rays.h"
@@ -105,8 +106,8 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
     while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options) &&
            !mesh_fit_stopped(options)) {
         mesh->levels = (struct plan_levels){ 0, 0 };
-        mesh->stamp.frame =
-            plan_frame(scene, outlook, &mesh->survey, options->root, ++coarser);
+        mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey,
+                                       mesh_film(options), ++coarser);
         mesh_make(mesh, scene, interpolation);
         mesh_afford(mesh, scene, interpolation, options);
     }

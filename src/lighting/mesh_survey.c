@@ -8,6 +8,13 @@ int mesh_times(const struct lighting_options *options)
     return options->root ? CHAMBER_ANIMATED : 1;
 }
 
+enum plan_film mesh_film(const struct lighting_options *options)
+{
+    return !options->root     ? PLAN_ALONE
+           : options->smooths ? PLAN_SMOOTHED
+                              : PLAN_FILM;
+}
+
 void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
                const struct lighting_options *options,
                const struct survey *known)

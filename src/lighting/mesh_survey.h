@@ -9,6 +9,9 @@
 /* How many times as much a picture of an animation asks as one by itself. */
 int mesh_times(const struct lighting_options *options);
 
+/* What it is one of. */
+enum plan_film mesh_film(const struct lighting_options *options);
+
 /* Looks at it, into mesh->survey and mesh->virtual_lights; bright places that
  * are known may be NULL (survey.h). */
 void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,

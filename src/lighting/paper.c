@@ -119,7 +119,7 @@ static void *paper_start(const struct world *world, const struct scene *scene,
     if (options->keep || scene->settings.light_mesh.load_file)
         paper->stamp = paper_stamp(paper, scene, options);
     const struct survey none = { .open = 1 };
-    paper->stamp.frame = plan_frame(scene, &outlook, &none, false, 0);
+    paper->stamp.frame = plan_frame(scene, &outlook, &none, PLAN_ALONE, 0);
     if (paper_begin(paper, scene, options, diag))
         return paper;
     paper_finish(paper);

@@ -40,12 +40,14 @@ static double frame_edge(const struct mesh_frame *frame, double finer)
 
 struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
-                             const struct survey *survey, bool animated,
+                             const struct survey *survey, enum plan_film film,
                              int coarser)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    int times = survey->closed && animated ? CHAMBER_ANIMATED : 1;
-    int samples = plan_samples(said, survey, times);
+    const bool often = survey->closed && film != PLAN_ALONE;
+    int times = often ? CHAMBER_ANIMATED : 1,
+        rays = often && film == PLAN_SMOOTHED ? CHAMBER_SMOOTHED : times;
+    int samples = plan_samples(said, survey, rays);
     double spacing = spacing_pixels * outlook->pixel;
     spacing = fmin(fmax(spacing, outlook->size / spacing_cells_most),
                    outlook->size / spacing_cells_least);
@@ -65,7 +67,7 @@ struct mesh_frame plan_frame(const struct scene *scene,
         .asked = samples,
         .picks = plan_picks(said, survey, times),
         .glow_picks = plan_glow_picks(said, survey, times),
-        .edged = survey->closed ? times * CHAMBER_WAYS : 0,
+        .edged = survey->closed ? rays * CHAMBER_WAYS : 0,
         .closed = survey->closed,
         .around = survey->around,
         .lit = survey->lit,

@@ -34,11 +34,15 @@ struct plan {
     struct indirect_options indirect; /* no bounces: there is none */
 };
 
-/* Where mesh points are. `animated`: the picture is one of an animation's;
- * `coarser`: steps to fewer points, which had no room. */
+/* What a picture is one of. In a film noise is seen that isn't in a picture by
+ * itself; less of it where frames are smoothed by those around (moments.c). */
+enum plan_film { PLAN_ALONE, PLAN_FILM, PLAN_SMOOTHED };
+
+/* Where mesh points are. `coarser`: steps to fewer points, which had no room.
+ */
 struct mesh_frame plan_frame(const struct scene *scene,
                              const struct outlook *outlook,
-                             const struct survey *survey, bool animated,
+                             const struct survey *survey, enum plan_film film,
                              int coarser);
 
 /* At which levels a picture asks the points of another's frame (`finest` of

@@ -197,7 +197,8 @@ enum {
     CHAMBER_WAYS = 128,   /* and at most: others are sent where these differ
                            * [blocks, courtyard], and more where that is said */
     CHAMBER_ANIMATED = 4, /* times as many, and as many picks and CLOSE_RAYS,
-                           * in an animation [flicker] */
+                           * in an animation [flicker]; */
+    CHAMBER_SMOOTHED = 2, /* rays where its frames smooth each other */
     GATHER_MOST = 512,    /* more gain little [maze, pillars] */
     UNSEEN_SAMPLES = 256, /* where nobody looks how many it takes */
     LONE_SAMPLES = 16,    /* of places that are their own mesh point */

@@ -150,7 +150,7 @@ static void test_nets(void **state)
     for (int i = 1; i < 40; i++) {
         survey.rough = i * 0.02;
         struct mesh_frame frame =
-            plan_frame(all->scene, &outlook, &survey, false, 0);
+            plan_frame(all->scene, &outlook, &survey, PLAN_ALONE, 0);
         assert_true((frame.samples & (frame.samples - 1)) == 0);
         plan_afford(&frame, all->scene, &survey, 100.0 * i, 100000);
         assert_true(frame.samples >= 16);
