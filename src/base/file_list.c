@@ -46,13 +46,17 @@ size_t file_list_find(const struct file_list *list, const char *path)
     return list->count;
 }
 
+static bool marks_differ(const struct file_mark *a, const struct file_mark *b)
+{
+    return a->there != b->there || a->size != b->size ||
+           a->number != b->number || a->changed.tv_sec != b->changed.tv_sec ||
+           a->changed.tv_nsec != b->changed.tv_nsec;
+}
+
 static bool mark_changed(const struct file_mark *old)
 {
-    struct file_mark now = file_mark(old->path);
-    return now.there != old->there || now.size != old->size ||
-           now.number != old->number ||
-           now.changed.tv_sec != old->changed.tv_sec ||
-           now.changed.tv_nsec != old->changed.tv_nsec;
+    const struct file_mark now = file_mark(old->path);
+    return marks_differ(&now, old);
 }
 
 static void mark_renew(struct file_mark *mark, unsigned round)
@@ -79,6 +83,33 @@ void file_list_add(struct file_list *list, const char *path)
     struct file_mark *mark = ARRAY_PUSH(list->arena, list);
     *mark = file_mark(path);
     mark->round = list->round;
+}
+
+/* Adds another list's mark, or if it is of the same file puts it in the place
+ * of the one that is there. */
+static void mark_take(struct file_list *list, const struct file_mark *other)
+{
+    const size_t index = file_list_find(list, other->path);
+    const bool known = index < list->count;
+    if (!known && list->count >= FILE_LIST_LIMIT)
+        return;
+    struct file_mark *mark =
+        known ? &list->items[index] : ARRAY_PUSH(list->arena, list);
+    const char *path =
+        known ? mark->path
+              : arena_copy_text(list->arena, other->path, strlen(other->path));
+    if (!known || marks_differ(mark, other)) {
+        *mark = *other;
+        mark->path = path;
+        mark->stale |= known;
+    }
+    mark->round = list->round;
+}
+
+void file_list_take(struct file_list *list, const struct file_list *other)
+{
+    for (size_t i = 0; list && i < other->count; i++)
+        mark_take(list, &other->items[i]);
 }
 
 void file_list_copy(struct file_list *list, const struct file_list *other)

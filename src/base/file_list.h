@@ -23,6 +23,10 @@ struct file_list {
  * done; of more than 10,000 files the rest are not marked. */
 void file_list_add(struct file_list *list, const char *path);
 
+/* The same for all that another list has been asked for, marked as they were
+ * then. */
+void file_list_take(struct file_list *list, const struct file_list *other);
+
 /* From now on files are asked for anew, as for the next frame of an animation:
  * those that have changed since are marked again. */
 void file_list_next(struct file_list *list);

@@ -120,9 +120,7 @@ struct moment *moments_now(struct work *work)
         moment_free(now);
     now = moment_at(work, work->number, &work->diag);
     moment_tell(now, &work->diag);
-    for (size_t i = 0; i < now->asked.count; i++)
-        file_list_add(work->options.parse.asked,
-                      file_list_path(&now->asked, i));
+    file_list_take(work->options.parse.asked, &now->asked);
     return now;
 }
 
