@@ -3,8 +3,8 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "cli/moments.h"
 #include "cli/interrupt.h"
+#include "cli/moments.h"
 #include "cli/watch.h"
 #include "cli/work.h"
 

@@ -68,23 +68,6 @@ static void mark_renew(struct file_mark *mark, unsigned round)
     mark->round = round;
 }
 
-void file_list_add(struct file_list *list, const char *path)
-{
-    if (!list)
-        return;
-    size_t index = file_list_find(list, path);
-    if (index < list->count) {
-        mark_renew(&list->items[index], list->round);
-        return;
-    }
-    if (list->count >= FILE_LIST_LIMIT)
-        return;
-    path = arena_copy_text(list->arena, path, strlen(path));
-    struct file_mark *mark = ARRAY_PUSH(list->arena, list);
-    *mark = file_mark(path);
-    mark->round = list->round;
-}
-
 /* Adds another list's mark, or if it is of the same file puts it in the place
  * of the one that is there. */
 static void mark_take(struct file_list *list, const struct file_mark *other)
@@ -106,21 +89,23 @@ static void mark_take(struct file_list *list, const struct file_mark *other)
     mark->round = list->round;
 }
 
+void file_list_add(struct file_list *list, const char *path)
+{
+    if (!list)
+        return;
+    size_t index = file_list_find(list, path);
+    if (index < list->count) {
+        mark_renew(&list->items[index], list->round);
+        return;
+    }
+    const struct file_mark mark = file_mark(path);
+    mark_take(list, &mark);
+}
+
 void file_list_take(struct file_list *list, const struct file_list *other)
 {
     for (size_t i = 0; list && i < other->count; i++)
         mark_take(list, &other->items[i]);
-}
-
-void file_list_copy(struct file_list *list, const struct file_list *other)
-{
-    for (size_t i = 0; i < other->count; i++) {
-        struct file_mark *mark = ARRAY_PUSH(list->arena, list);
-        *mark = other->items[i];
-        mark->path =
-            arena_copy_text(list->arena, mark->path, strlen(mark->path));
-    }
-    list->round = other->round;
 }
 
 void file_list_next(struct file_list *list)

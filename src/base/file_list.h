@@ -34,9 +34,6 @@ void file_list_next(struct file_list *list);
 /* Whether the index-th was asked for since then. */
 bool file_list_asked(const struct file_list *list, size_t index);
 
-/* Adds the other list's marks, as they are, to a list that lacks them. */
-void file_list_copy(struct file_list *list, const struct file_list *other);
-
 /* Whether a file is not as it was when it was first marked. */
 bool file_list_changed(const struct file_list *list);
 

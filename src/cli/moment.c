@@ -83,8 +83,14 @@ void moment_read(struct moment *moment, const struct work *work, int number,
     parse.asked = &moment->asked;
     moment->scene =
         parse_scene(work->source, &parse, moment->arena, diag ? diag : &kept);
-    if (moment->scene && work->options.frames.animated)
+}
+
+const struct fingerprint *moment_print(struct moment *moment)
+{
+    if (moment->scene && !moment->printed)
         moment->print = scene_fingerprint(moment->scene, true);
+    moment->printed = true;
+    return &moment->print;
 }
 
 void moment_tell(struct moment *moment, struct diag *diag)

@@ -27,9 +27,10 @@ struct moment {
         size_t count, capacity;
         size_t told;
     } messages;
-    struct fingerprint print;        /* of the scene, in an animation */
+    struct fingerprint print;        /* by moment_print, */
+    bool printed;                    /* once that has been asked */
     struct world *world;             /* until it is lit, NULL */
-    const struct lighting *lighting; /* that has lit it, or will; */
+    const struct lighting *lighting; /* that has lit it, or tried; */
     void *state;                     /* NULL: not yet, or it can't */
 };
 
@@ -49,6 +50,9 @@ bool moment_keeps(const struct work *work);
 void moment_read(struct moment *moment, const struct work *work, int number,
                  struct diag *diag);
 void moment_free(struct moment *moment);
+
+/* Tells its scene from others. All of it is read for that, the first time. */
+const struct fingerprint *moment_print(struct moment *moment);
 
 /* Says what is kept and hasn't been said. */
 void moment_tell(struct moment *moment, struct diag *diag);

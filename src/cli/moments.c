@@ -17,80 +17,103 @@ static bool prints_serve(const struct fingerprint *a,
            a->surroundings == b->surroundings;
 }
 
+/* That of frame `number`, which may be one of two that are read. */
+static struct fingerprint print_of(const struct work *work, int number,
+                                   struct moment *now, struct moment *last)
+{
+    struct moment other, *at = number == now->number    ? now
+                               : number == last->number ? last
+                                                        : NULL;
+    if (at)
+        return *moment_print(at);
+    moment_read(&other, work, number, NULL);
+    const struct fingerprint print = *moment_print(&other);
+    moment_free(&other);
+    return print;
+}
+
 /* Whether something moves, but no lamp, as the first frame, the last and the
  * one between them have it: whichever of them are drawn. */
-static bool animation_moves(const struct work *work)
+static bool animation_moves(const struct work *work, struct moment *now,
+                            struct moment *last)
 {
     const struct frames *frames = &work->options.frames;
-    const int number[] = { frames->first,
-                           frames->first + (frames->last - frames->first) / 2,
-                           frames->last };
-    struct fingerprint print[3];
-    for (int i = 0; i < 3; i++) {
-        struct moment moment;
-        moment_read(&moment, work, number[i], NULL);
-        print[i] = moment.print;
-        moment_free(&moment);
-    }
-    return prints_serve(&print[0], &print[1]) &&
-           prints_serve(&print[0], &print[2]) &&
-           (!fingerprint_same(&print[0], &print[1]) ||
-            !fingerprint_same(&print[0], &print[2]));
+    const int middle = frames->first + (frames->last - frames->first) / 2;
+    const struct fingerprint a = print_of(work, frames->first, now, last),
+                             b = print_of(work, middle, now, last),
+                             c = *moment_print(last);
+    return prints_serve(&a, &b) && prints_serve(&a, &c) &&
+           (!fingerprint_same(&a, &b) || !fingerprint_same(&a, &c));
 }
 
 /* Whether so many frames are drawn in a row in which something moves that most
  * are used by all around them. */
-static bool moments_wanted(const struct work *work)
+static bool moments_wanted(const struct work *work, struct moment *now,
+                           struct moment *last)
 {
     const struct options *options = &work->options;
     const struct frames *frames = &options->frames;
-    if (!work->lighting->by_moments || options->probe || !frames->animated ||
-        abs(frames->pace) != 1 || frames_count(frames) < MOMENTS_ROW ||
-        options->light.light_mesh.load_file ||
-        options->light.light_mesh.save_file)
-        return false;
-    return animation_moves(work);
+    return work->lighting->by_moments && abs(frames->pace) == 1 &&
+           frames_count(frames) >= MOMENTS_ROW &&
+           !options->light.light_mesh.save_file &&
+           animation_moves(work, now, last);
 }
 
-/* Begins the lighting of frame `number`, for the points of others; `moves`:
- * also where it shows something else than `now`. Returns whether it shows
- * the same. */
-static bool root_try(struct work *work, const struct moment *now, int number,
-                     bool moves)
+/* Begins the lighting of a frame, for the points of others. */
+static void root_light(struct work *work, struct moment *root)
 {
-    struct moment root;
-    moment_read(&root, work, number, NULL);
-    bool same = root.scene && fingerprint_same(&now->print, &root.print);
-    if (same || (root.scene && moves))
-        moment_light(&root, work);
-    if (root.state)
-        work->kept = work->lighting->keep(root.state);
-    moment_free(&root);
+    moment_light(root, work);
+    if (root->state)
+        work->kept = work->lighting->keep(root->state);
+}
+
+/* Whether both frames could be read, and show the same. */
+static bool moments_same(struct moment *a, struct moment *b)
+{
+    return a->scene && b->scene &&
+           fingerprint_same(moment_print(a), moment_print(b));
+}
+
+/* Likewise of the first frame, if it shows the same as `now`. Returns whether
+ * it does. */
+static bool root_first(struct work *work, struct moment *now)
+{
+    struct moment first;
+    moment_read(&first, work, work->options.frames.first, NULL);
+    bool same = moments_same(now, &first);
+    if (same)
+        root_light(work, &first);
+    moment_free(&first);
     return same;
 }
 
 /* The root is the last frame. Where only the camera moves it is so only if it
  * is in a chamber, from outside of which nobody would look for what lights it,
  * and else the first. */
-void moments_root(struct work *work, const struct moment *now)
+void moments_root(struct work *work, struct moment *now)
 {
     const struct options *options = &work->options;
     const struct frames *frames = &options->frames;
+    struct moment last;
     if (!frames->animated || frames->last <= frames->first ||
         work->kept.bytes || work->root_tried || !moment_keeps(work) ||
         options->light.light_mesh.load_file || options->probe)
         return;
     work->root_tried = true;
-    work->smooths = moments_wanted(work);
-    if (!root_try(work, now, frames->last, true) || work->kept.inside)
+    moment_read(&last, work, frames->last, NULL);
+    const bool same = moments_same(now, &last);
+    work->smooths = moments_wanted(work, now, &last);
+    if (last.scene)
+        root_light(work, &last);
+    moment_free(&last);
+    if (!same || work->kept.inside)
         return;
-    struct lighting_kept last = work->kept;
+    struct lighting_kept kept = work->kept;
     work->kept = (struct lighting_kept){ .bytes = NULL };
-    if (work->number == frames->first ||
-        root_try(work, now, frames->first, false))
-        lighting_forget(&last);
+    if (work->number == frames->first || root_first(work, now))
+        lighting_forget(&kept);
     else
-        work->kept = last;
+        work->kept = kept;
 }
 
 /* Where a frame is kept, with those around it. */
@@ -133,7 +156,7 @@ static bool moment_is_lit(struct moment *moment, const struct work *work)
 
 /* The frames around that serve, in their order, itself among them; none if
  * nothing moves in any. Returns how many. */
-static int moments_serving(struct work *work, const struct moment *now,
+static int moments_serving(struct work *work, struct moment *now,
                            struct moment *serving[LIGHTING_MOMENTS])
 {
     const struct frames *frames = &work->options.frames;
@@ -143,9 +166,9 @@ static int moments_serving(struct work *work, const struct moment *now,
         if (i < frames->first || i > frames->last)
             continue;
         struct moment *at = moment_at(work, i, NULL);
-        if (!at->scene || !prints_serve(&at->print, &now->print))
+        if (!at->scene || !prints_serve(moment_print(at), moment_print(now)))
             continue;
-        others += !fingerprint_same(&at->print, &now->print);
+        others += !moments_same(at, now);
         serving[count++] = at;
     }
     return others > 0 ? count : 0;
@@ -156,7 +179,7 @@ void moments_around(struct work *work, struct moment *now,
 {
     struct moment *serving[LIGHTING_MOMENTS];
     found->count = 0;
-    if (!work->smooths || now->print.size > MOMENTS_SIZE)
+    if (!work->smooths || moment_print(now)->size > MOMENTS_SIZE)
         return;
     int count = moments_serving(work, now, serving);
     if (count == 0 || !work->lighting->by_moments ||

@@ -12,7 +12,7 @@ struct moment *moments_now(struct work *work);
  * their root. All of them light what they show by one mesh, or where something
  * moves by meshes whose points are in the same places, lest light on what
  * stands still changes from frame to frame. */
-void moments_root(struct work *work, const struct moment *now);
+void moments_root(struct work *work, struct moment *now);
 
 /* Lights the frames around the one that is drawn where something moves, for its
  * own light to be smoothed by: valid until moments_pass. Only in a row of

@@ -41,10 +41,10 @@ static void mesh_finish(void *state)
     mesh_pixels_free(&mesh->pixels);
     indirect_pixels_free(mesh->indirect_pixels);
     mesh_clear(mesh);
-    if (!mesh->now)
+    if (!mesh->now) {
         void_skeleton_free(&mesh->close);
-    if (!mesh->now)
         virtual_lights_free(mesh->virtual_lights);
+    }
     emitters_free(mesh->emitters);
     lamps_free(&mesh->lamps);
     memory_free(mesh);

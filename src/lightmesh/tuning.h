@@ -151,7 +151,7 @@ static const double spread_single = 0.94; /* and of a triangle */
 static const double asked_cell = 0.6, asked_shared = 4; /* of the budget */
 static const double asked_fully = 0.3; /* smaller triangles ask fewer lamps */
 static const double facet_lift = 0.05; /* from where points are looked for */
-enum { FACETS_MOST = 250000 }; /* of more none stands alone [triangles-...] */
+enum { FACETS_MOST = 250000 }; /* more: none alone [triangles-1000000] */
 
 /* Pixels as mesh points [lights-10 to lights-1000, forest]. Times in seconds,
  * as measured; only their ratios count. */

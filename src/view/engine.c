@@ -137,7 +137,7 @@ static void engine_files_read(struct engine *engine,
                               const struct file_list *read)
 {
     struct file_list files = { .arena = arena_new(0) };
-    file_list_copy(&files, read);
+    file_list_take(&files, read);
     SDL_LockMutex(engine->lock);
     struct arena *before = engine->files.arena;
     engine->files = files;
@@ -193,7 +193,7 @@ static struct drawing *engine_read(struct engine *engine, bool read,
     if (!read) {
         drawing->files.count = 0;
         drawing->first_file = engine->drawing->first_file;
-        file_list_copy(&drawing->files, &engine->drawing->files);
+        file_list_take(&drawing->files, &engine->drawing->files);
     }
     if (!drawing->model && !atomic_load(&engine->stop) &&
         drawing->files.count > 0)
