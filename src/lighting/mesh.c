@@ -110,6 +110,7 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct outlook *outlook,
                             const struct lighting_options *options)
 {
+    mesh->film = mesh_film(options) != PLAN_ALONE;
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
     const struct survey known = { .closed = mesh->root.closed,
                                   .lit = mesh->root.lit,

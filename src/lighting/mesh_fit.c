@@ -36,9 +36,11 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     mesh->direct = direct_mesh_new(&mesh->lamps, &plan->direct);
     if (plan->indirect.bounces == 0)
         return;
+    const struct light_mesh_settings *said = &scene->settings.light_mesh;
     const struct plan_own own =
-        plan_own_rays(&scene->settings.light_mesh, &mesh->survey,
-                      &plan->indirect.lattice, &plan->indirect.view);
+        plan_own_rays(said, &mesh->survey, &plan->indirect.lattice,
+                      &plan->indirect.view, mesh->film);
+    plan->indirect.near_lone = plan_lone_rays(said, &mesh->survey, mesh->film);
     plan->indirect.near_own = own.rays;
     plan->indirect.own_worth = own.worth;
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
@@ -73,7 +75,7 @@ static void mesh_afford(struct mesh_lighting *mesh, const struct scene *scene,
         return;
     const struct census census = mesh_census(mesh, scene, options);
     if (plan_afford(&mesh->stamp.frame, scene, &mesh->survey,
-                    census_gathered(&census), census.pixels))
+                    census_gathered(&census), census.pixels, mesh->film))
         mesh_make(mesh, scene, interpolation);
 }
 

@@ -39,6 +39,7 @@ bool mesh_by_moments(struct mesh_lighting *mesh, const struct scene *scene,
         return false;
     const struct mesh_lighting *now = moments->state[moments->now];
     mesh->now = now;
+    mesh->film = now->film;
     mesh->stamp = now->stamp;
     mesh->levels = now->levels;
     mesh->survey = now->survey;

@@ -125,7 +125,7 @@ static double plan_rough(const struct survey *survey)
  * What is half open needs no more than what is open usually has, since its
  * bounces are ended. */
 static double plan_rays(const struct light_mesh_settings *said,
-                        const struct survey *survey, double pixels)
+                        const struct survey *survey, double pixels, bool film)
 {
     double finer = plan_finer(said),
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
@@ -137,42 +137,54 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (!survey->closed)
         each += gather_pixel_mostly * fmin(fmax(worth - gather_mostly, 0), 1);
     each *= chamber ? gather_chamber : plan_rough(survey);
+    each *= film && !chamber ? gather_film : 1;
     return each * edges * finer * finer;
 }
 
-/* What a point costs, in rays: it looks around as well. */
-static double frame_rays(const struct mesh_frame *frame)
+/* What a gather ray costs in the open, in usual ones: what it meets asks lamps,
+ * and may send another. */
+static double plan_sent(const struct survey *survey)
 {
-    return frame->samples + frame->picks + OBSTACLE_DIRECTIONS;
+    return survey->closed ? 1 : fmax(survey->sent / gather_sent, 1);
+}
+
+/* What a point costs, in rays: it looks around as well. */
+static double frame_rays(const struct mesh_frame *frame, double sent)
+{
+    return sent * frame->samples + frame->picks + OBSTACLE_DIRECTIONS;
 }
 
 /* No more rays of a point than that, but `least` if it had so many. */
-static void frame_ask(struct mesh_frame *frame, double rays, int least)
+static void frame_ask(struct mesh_frame *frame, double sent, double rays,
+                      int least)
 {
     double own = frame->picks + OBSTACLE_DIRECTIONS;
-    int fewer = rays_within(fmax(rays - own, least));
+    int fewer = rays_within(fmax((rays - own) / sent, least));
     if (fewer < frame->samples)
         frame->samples = fewer;
 }
 
 bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
-                 const struct survey *survey, double points, double pixels)
+                 const struct survey *survey, double points, double pixels,
+                 bool film)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    double most = plan_rays(said, survey, pixels);
+    double most = plan_rays(said, survey, pixels, film);
+    double sent = plan_sent(survey);
     if (frame->samples == 0 || said->indirect.samples > 0 ||
-        said->density > 0 || points * frame_rays(frame) <= most)
+        said->density > 0 || points * frame_rays(frame, sent) <= most)
         return false;
     /* Neighbours share directions: fewer rays blur less than fewer points, but
      * where light is rough noise is seen before blur is. */
-    const int few = survey->rough > survey->worth ? 2 * GATHER_FEW : GATHER_FEW;
-    frame_ask(frame, most / points, few);
-    double crowd = sqrt(points * frame_rays(frame) / most);
+    const bool rough =
+        survey->rough > (film ? 1 : gather_few_rough) * survey->worth;
+    frame_ask(frame, sent, most / points, rough ? 2 * GATHER_FEW : GATHER_FEW);
+    double crowd = sqrt(points * frame_rays(frame, sent) / most);
     double factor = fmin(fmax(crowd, 1), gather_coarser_most);
     frame->gather *= factor;
     /* Else as many rays as there are fit exactly, but for rounding. */
     if (crowd > factor)
-        frame_ask(frame, most * factor * factor / points, GATHER_LEAST);
+        frame_ask(frame, sent, most * factor * factor / points, GATHER_LEAST);
     return true;
 }
 
@@ -267,11 +279,6 @@ static void plan_direct(struct plan *plan,
                        plan->direct.refinement.levels + KEPT_LEVELS);
 }
 
-static int near_rays(const struct plan *plan, int usual)
-{
-    return (int)ceil(plan->finer * plan->finer * usual);
-}
-
 static void plan_indirect(struct plan *plan,
                           const struct light_mesh_settings *said,
                           gather_close *close, const void *close_context)
@@ -293,9 +300,8 @@ static void plan_indirect(struct plan *plan,
         .bounces = bounces > 0 ? (int)fmin(bounces, BOUNCES_MAX) : usual,
         .samples = frame->samples,
         .edge = frame_edge(frame, plan->finer),
-        .near = near_rays(plan, NEAR_RAYS),
-        .near_lone = near_rays(plan, NEAR_LONE_RAYS),
-        .near_more = near_rays(plan, NEAR_MORE_RAYS),
+        .near = plan_near_rays(said, NEAR_RAYS),
+        .near_more = plan_near_rays(said, NEAR_MORE_RAYS),
         .bytes = INDIRECT_BYTES,
         .close = close,
         .close_context = close_context,

@@ -66,9 +66,10 @@ bool plan_follow(struct mesh_frame *frame, const struct mesh_frame *root,
 
 /* Where the indirect mesh would have so many points for a picture of so many
  * pixels: makes fewer of them, of fewer rays, if these are more than indirect
- * light is worth. Returns whether it did. */
+ * light is worth; in a `film` noise is worth more. Returns whether it did. */
 bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
-                 const struct survey *survey, double points, double pixels);
+                 const struct survey *survey, double points, double pixels,
+                 bool film);
 
 /* What of `shadows` counts for what mesh points hold: of few lamps, and where
  * none is asked for, the same. */

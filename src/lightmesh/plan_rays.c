@@ -83,6 +83,18 @@ int plan_glow_picks(const struct light_mesh_settings *said,
                              : 0;
 }
 
+int plan_near_rays(const struct light_mesh_settings *said, int usual)
+{
+    return (int)ceil(plan_finer(said) * plan_finer(said) * usual);
+}
+
+int plan_lone_rays(const struct light_mesh_settings *said,
+                   const struct survey *survey, bool film)
+{
+    const bool few = !film && survey->worth < near_worth;
+    return plan_near_rays(said, few ? NEAR_LONE_FEW : NEAR_LONE_RAYS);
+}
+
 /* Share of what the camera sees that has much close to it, as mesh points are
  * apart there. */
 static double survey_crevices(const struct survey *survey,
@@ -103,11 +115,13 @@ static double survey_crevices(const struct survey *survey,
 struct plan_own plan_own_rays(const struct light_mesh_settings *said,
                               const struct survey *survey,
                               const struct lattice *lattice,
-                              const struct lattice_view *view)
+                              const struct lattice_view *view, bool film)
 {
     const double finer = plan_finer(said) * plan_finer(said),
                  share = survey_crevices(survey, lattice, view),
-                 rays = NEAR_OWN_RAYS * finer * fmin(own_usual / share, 1),
+                 most = own_usual *
+                        (film ? 1 : fmin(survey->worth / own_worth, 1)),
+                 rays = NEAR_OWN_RAYS * finer * fmin(most / share, 1),
                  worth = rays / NEAR_OWN_LEAST - 1;
     const double whole = rays > RAY_LANES ? RAY_LANES : 1;
     return worth > 0 ? (struct plan_own){ (int)(round(rays / whole) * whole),

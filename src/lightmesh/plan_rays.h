@@ -25,9 +25,19 @@ int plan_picks(const struct light_mesh_settings *said,
 int plan_glow_picks(const struct light_mesh_settings *said,
                     const struct survey *survey, int times);
 
+/* Short rays of a place (near_field.h), of which the usual quality has so many.
+ */
+int plan_near_rays(const struct light_mesh_settings *said, int usual);
+
+/* The same where only a pixel sees it: fewer where surfaces give little light.
+ * In a `film` it is always as many: noise would change when that does. */
+int plan_lone_rays(const struct light_mesh_settings *said,
+                   const struct survey *survey, bool film);
+
 /* To all around a place in a crevice (near_own.h): the more places are in one,
- * the fewer, since they would be a third of the picture's time. So few that
- * they tell little count for less, 0 to 1. */
+ * and the less light comes from surfaces, the fewer, since they would be a
+ * third of the picture's time. So few that they tell little count for less, 0
+ * to 1. */
 struct plan_own {
     int rays;
     double worth;
@@ -36,6 +46,6 @@ struct plan_own {
 struct plan_own plan_own_rays(const struct light_mesh_settings *said,
                               const struct survey *survey,
                               const struct lattice *lattice,
-                              const struct lattice_view *view);
+                              const struct lattice_view *view, bool film);
 
 #endif

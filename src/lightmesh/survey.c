@@ -120,7 +120,9 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         draw_pair(&draws, GATHER_DIRECTION, u);
         struct ray ray = { sight->at.surface.point,
                            warp_lobe(u, sight->at.surface.side, 1) };
+        sums->sent -= (double)worker->counters.shadow_rays;
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
+        sums->sent += (double)worker->counters.shadow_rays;
         bool wall = gathered_wall(sums, &ray, &found);
         sums->ends += gathered_ends(&found, wall);
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
@@ -316,6 +318,7 @@ static struct survey sums_tell(struct sums *sums,
     if (sums->sights == 0)
         return survey;
     survey.open = sums->ends / rays;
+    survey.sent = sums->sent / rays;
     survey.worth = sums->worth / sums->sights;
     survey.bounced = sums->bounced / sums->sights;
     survey.around = sums_around(sums);

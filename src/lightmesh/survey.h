@@ -19,6 +19,8 @@ struct survey {
     double worth; /* what they change of what the picture shows: mean, relative
                    */
     double bounced; /* the same but for what is picked */
+    double sent;    /* rays that one of them takes, with those to lamps and
+                     * onward from what it meets: mean; 0: nobody looked */
     double rough;   /* by how much one of them differs from another, some being
                      * aimed at what is bright: root mean square, relative to what
                      * the picture shows */

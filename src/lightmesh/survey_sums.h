@@ -23,7 +23,7 @@ struct sums {
     int sights, each; /* places, and rays of one, */
     int choosing;     /* the first of which find what is bright; the others
                        * judge */
-    double open, ends, worth, bounced, returned;
+    double open, ends, worth, bounced, returned, sent;
     rgb light;
     struct bright_hit *hits;
     struct brought *brought;

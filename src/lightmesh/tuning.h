@@ -34,15 +34,15 @@ enum {
 };
 static const double pane_least = 0.5; /* of light they let pass, or mirror */
 static const double pane_shows = 0.1; /* of it, itself, before nothing else */
-static const double usual_width = 640, usual_height = 480; /* pixels, where it
-                                                            * isn't said */
+/* Pixels, where it isn't said. */
+static const double usual_width = 640, usual_height = 480;
 static const double outlook_beside = 0.1; /* share of what is seen, at either
                                            * end, that tells nothing of it */
-static const double outlook_bent = 3;     /* of the usual distance: cameras that
-                                           * bend lines look all around, at what
-                                           * is near as well [camera-cylinder] */
-static const double survey_dark = 0.03;   /* what the picture shows is not
-                                           * darker than that, to an eye */
+/* Of the usual distance: cameras that bend lines look all around, at what is
+ * near as well [camera-cylinder]. */
+static const double outlook_bent = 3;
+static const double survey_dark = 0.03; /* what the picture shows is not
+                                         * darker than that, to an eye */
 
 /* Light cuts: which cluster of lamps is opened next [lights-1000]. */
 static const double cut_near = 0.25; /* its sizes: nearer counts as so near */
@@ -54,8 +54,8 @@ static const double quality_step = 1.3;  /* finer for each step [quality] */
 static const double spacing_pixels = 20; /* pixels [density, forest] */
 static const double spacing_cells_least = 24; /* across what is seen [room] */
 static const double spacing_cells_most = 256; /* likewise [pixels-1200] */
-static const double spacing_coarser = 1.4142135623730951; /* half as many on a
-                                                           * surface */
+/* Half as many on a surface. */
+static const double spacing_coarser = 1.4142135623730951;
 static const double interpolation_usual = 1.6; /* radius, spacings [room], */
 static const double interpolation_least = 0.9; /* and at least: some point is
                                                 * always in it */
@@ -217,6 +217,7 @@ enum {
     CLOSE_RAYS = 40000,   /* between its walls */
     NEAR_RAYS = 10,       /* to what is close to a corner, */
     NEAR_LONE_RAYS = 5,   /* and to a place that only a pixel shares [truth], */
+    NEAR_LONE_FEW = 3,    /* where surfaces give little light: near_worth, */
     NEAR_MORE_RAYS = 3,   /* or that is another of a pixel's [a meadow] */
     NEAR_GLOW_RAYS = 48, /* around, and to what glows close to a place, each, of
                           * which a packet tells whether that matters; */
@@ -303,8 +304,11 @@ static const double near_glow_worth = 0.5;  /* what is worth less has few */
 /* Of short rays so many meet something in a corner, and in a crevice; where
  * there are many of these, in the deepest. */
 static const double near_shallow = 0.25, near_deep = 0.5, near_full = 0.4;
-static const double own_usual = 0.05; /* of places are in one: more have less */
-static const double own_little = 0.5; /* of one: a packet of rays tells that */
+static const double own_usual = 0.045; /* of places are: more have fewer rays */
+static const double own_little = 0.5;  /* of one: a packet of rays tells that */
+/* What surfaces give is less of the picture: fewer short rays, fewer of these
+ * [price]. */
+static const double near_worth = 0.2, own_worth = 0.12;
 
 static const double bright_times = 4; /* as bright as the mean is bright; */
 static const double bright_least =
@@ -312,10 +316,9 @@ static const double bright_least =
 static const double bright_fade = 2;   /* what has so much more is worth most */
 static const double bright_gain = 0.8; /* of the variance there is without is
                                         * worth aiming at them */
-static const double bright_known = 2;  /* of the variance there is with those
-                                        * that are found: by those of another
-                                        * picture of an animation there may
-                                        * be so much [flicker] */
+/* Of the variance there is with those that are found: by those of another
+ * picture of an animation there may be so much [flicker]. */
+static const double bright_known = 2;
 static const double lit_taken = 0.9; /* of lamps' light, of which lit cells are
                                       * to have so much, */
 enum { LIT_SIDES = 3 }; /* if not, cells of up to so many sizes are tried */
@@ -343,37 +346,34 @@ static const double virtual_unseen = 1e-3; /* a cell of which a survey saw
 static const double virtual_near = 1.2;    /* of their distance from each other:
                                             * what is nearer gather rays bring */
 
-static const double gather_noise = 0.009;  /* of the picture, */
-static const double chamber_noise = 0.012; /* and in chambers, where neighbours
-                                            * send other rays [room, kitchen],
-                                            */
-static const double chamber_noise_animated = 0.0095; /* likewise of each picture
-                                                      * of an animation, were it
-                                                      * alone [flicker] */
-static const double gather_edge = 3;   /* in chambers: see way_cells.h [blocks,
-                                        * cornell, flicker] */
-static const double gather_net = 1.43; /* the noise of ways falls by the power
-                                        * 1/1.43 of its size [room to
-                                        * pillars] */
+static const double gather_noise = 0.009; /* of the picture, */
+/* And in chambers, where neighbours send other rays [room, kitchen]; of each
+ * picture of an animation, were it alone [flicker]. */
+static const double chamber_noise = 0.012, chamber_noise_animated = 0.0095;
+static const double gather_edge = 3; /* in chambers: see way_cells.h [blocks,
+                                      * cornell, flicker] */
+/* The noise of ways falls by the power 1/1.43 of its size [room to pillars]. */
+static const double gather_net = 1.43;
 static const double gather_worth_none = 0.003; /* change of the picture that is
                                                 * not seen */
-static const double gather_across = 1.5;   /* pictures: how large the part of a
-                                            * scene is that must be smooth */
-static const double gather_pixels = 76800; /* of a picture of that size, and of
-                                            * smaller ones as many; of larger
-                                            * ones they grow as edges do */
-static const double gather_pixel = 0.2;    /* gather rays for each pixel, */
-static const double gather_pixel_worth = 2.2; /* more for each unit of worth, */
-static const double gather_pixel_most = 2.4;  /* in all; */
-static const double gather_mostly = 0.4;      /* worth beyond which most of the
-                                               * picture is what is gathered: where
-                                               * light leaves the scene, */
-static const double gather_pixel_mostly = 8;  /* more for each unit of that, of
-                                               * which there may be 1 */
+static const double gather_across = 1.5; /* pictures: how large the part of a
+                                          * scene is that must be smooth */
+/* Of a picture of so many pixels, as of smaller ones; of larger ones they grow
+ * as edges do. */
+static const double gather_pixels = 76800;
+/* Gather rays for each pixel, more for each unit of worth, and in all: */
+static const double gather_pixel = 0.16, gather_pixel_worth = 1.75,
+                    gather_pixel_most = 2.4;
+/* Worth beyond which most of the picture is what is gathered, where light
+ * leaves the scene: more for each unit of that, of which there may be 1. */
+static const double gather_mostly = 0.4, gather_pixel_mostly = 6.5;
 static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
-static const double gather_chamber = 31; /* times as many where light stays */
+static const double gather_few_rough = 1.2; /* times worth: twice GATHER_FEW */
+static const double gather_sent = 1.25; /* rays that one usually takes there */
+/* Times as many where light stays; elsewhere in a film [flicker]. */
+static const double gather_chamber = 39, gather_film = 1.25;
 static const double gather_coarser_most = 3; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it is no chamber, */

@@ -173,7 +173,17 @@ static void packet_trace(const struct world *world, struct packet *packet)
     look_unbounded(world, packet, shapes, count);
 }
 
-/* Rays that are too few to be a packet. */
+/* Rays that are no packet: too few, or on their way to all sides among many
+ * things, where each meets others [a torus of spheres: .84 of the time, a
+ * desk 1]. */
+static bool rays_part(const struct world *world, unsigned count,
+                      enum ray_kind kind)
+{
+    return count < PACKET_LEAST || (kind == RAY_GATHER && world->bounded &&
+                                    !world->geometry.few.solids);
+}
+
+/* One after the other. */
 static void closest_each(const struct world *world, const struct rays *rays,
                          const struct rays_span *span, unsigned count,
                          enum ray_kind kind, struct world_hit *out)
@@ -199,7 +209,7 @@ void world_closest_many(const struct world *world, const struct rays *rays,
 {
     struct packet packet;
     const struct nearest asked = { rays, span, kind, (1u << count) - 1, out };
-    if (count < PACKET_LEAST) {
+    if (rays_part(world, count, kind)) {
         closest_each(world, rays, span, count, kind, out);
         return;
     }

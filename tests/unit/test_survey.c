@@ -6,6 +6,7 @@
 #include "lightmesh/gather_paint.h"
 #include "lightmesh/outlook.h"
 #include "lightmesh/plan.h"
+#include "lightmesh/plan_rays.h"
 #include "lightmesh/tuning.h"
 #include "scene_world.h"
 
@@ -125,19 +126,79 @@ static void test_afford(void **state)
     struct mesh_frame few = { .spacing = 1, .gather = 1, .samples = 128 };
     struct mesh_frame many = few, crowd = few;
     (void)state;
-    assert_false(plan_afford(&few, all->scene, &survey, 100, 100000));
+    assert_false(plan_afford(&few, all->scene, &survey, 80, 100000, false));
     assert_true(few.samples == 128 && few.gather == 1);
-    assert_true(plan_afford(&many, all->scene, &survey, 200, 100000));
+    assert_true(plan_afford(&many, all->scene, &survey, 200, 100000, false));
     assert_true(many.samples < 128 && many.samples >= 32 && many.gather == 1);
-    assert_true(plan_afford(&crowd, all->scene, &survey, 50000, 100000));
+    assert_true(plan_afford(&crowd, all->scene, &survey, 50000, 100000, false));
     assert_true(crowd.samples == 16 && crowd.gather > 1);
     /* As long as points can be fewer, none has less than 32. */
     for (int points = 200; points < 50000; points += 7) {
         struct mesh_frame frame = few;
-        plan_afford(&frame, all->scene, &survey, points, 100000);
+        plan_afford(&frame, all->scene, &survey, points, 100000, false);
         assert_true(frame.samples >= 32 || frame.gather == 3);
     }
     scene_world_free(all);
+}
+
+/* Where rays are dear there are fewer of them, and in a film more. */
+static void test_afford_dear(void **state)
+{
+    struct scene_world *all = scene_world_new(CAMERA);
+    const struct survey
+        cheap = { .open = 0.5, .worth = 0.3, .bounced = 0.3, .sent = 1 },
+        dear = { .open = 0.5, .worth = 0.3, .bounced = 0.3, .sent = 4 };
+    struct mesh_frame usual = { .spacing = 1, .gather = 1, .samples = 32 };
+    struct mesh_frame fewer = usual, film = usual;
+    (void)state;
+    assert_true(plan_afford(&usual, all->scene, &cheap, 2000, 100000, false));
+    assert_true(plan_afford(&fewer, all->scene, &dear, 2000, 100000, false));
+    assert_true(plan_afford(&film, all->scene, &cheap, 2000, 100000, true));
+    assert_true(usual.gather > 1 && fewer.gather > 1.2 * usual.gather);
+    assert_true(film.gather < usual.gather);
+    scene_world_free(all);
+}
+
+/* Where surfaces give little light fewer short rays are sent, but for a film.
+ */
+static void test_near_rays(void **state)
+{
+    const struct light_mesh_settings said = { 0 }, fine = { .quality = 8 };
+    const struct survey little = { .worth = 0.1 }, much = { .worth = 0.3 };
+    int few = plan_lone_rays(&said, &little, false),
+        usual = plan_lone_rays(&said, &much, false);
+    (void)state;
+    assert_true(few > 0 && few < usual);
+    assert_int_equal(plan_lone_rays(&said, &little, true), usual);
+    assert_true(plan_lone_rays(&fine, &little, false) > usual);
+}
+
+/* One of these in four is in a crevice. */
+static struct survey creviced(double worth)
+{
+    struct survey survey = { .worth = worth, .sights = 4 };
+    for (int i = 0; i < 4; i++)
+        survey.sight[i].half = i == 0 ? 0.1 : HUGE_VAL;
+    return survey;
+}
+
+/* Of those in a crevice likewise. */
+static void test_own_rays(void **state)
+{
+    const struct light_mesh_settings said = { 0 };
+    const struct lattice lattice = { .spacing = 1 };
+    const struct lattice_view view = { .coarser = 0 };
+    const struct survey little = creviced(0.06), much = creviced(0.3);
+    const struct plan_own few = plan_own_rays(&said, &little, &lattice, &view,
+                                              false),
+                          usual = plan_own_rays(&said, &much, &lattice, &view,
+                                                false),
+                          film = plan_own_rays(&said, &little, &lattice, &view,
+                                               true);
+    (void)state;
+    assert_true(usual.rays > 4 && usual.worth > 0);
+    assert_true(few.rays < usual.rays);
+    assert_true(film.rays == usual.rays && film.worth == usual.worth);
 }
 
 /* Ways are drawn in nets: their numbers are powers of two. */
@@ -152,7 +213,7 @@ static void test_nets(void **state)
         struct mesh_frame frame =
             plan_frame(all->scene, &outlook, &survey, PLAN_ALONE, 0);
         assert_true((frame.samples & (frame.samples - 1)) == 0);
-        plan_afford(&frame, all->scene, &survey, 100.0 * i, 100000);
+        plan_afford(&frame, all->scene, &survey, 100.0 * i, 100000, false);
         assert_true(frame.samples >= 16);
         assert_true((frame.samples & (frame.samples - 1)) == 0);
     }
@@ -271,11 +332,12 @@ static void test_drawn_area(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_open),       cmocka_unit_test(test_room),
-        cmocka_unit_test(test_beyond),     cmocka_unit_test(test_outlook),
-        cmocka_unit_test(test_afford),     cmocka_unit_test(test_nets),
-        cmocka_unit_test(test_paint),      cmocka_unit_test(test_drawn),
-        cmocka_unit_test(test_drawn_area),
+        cmocka_unit_test(test_open),      cmocka_unit_test(test_room),
+        cmocka_unit_test(test_beyond),    cmocka_unit_test(test_outlook),
+        cmocka_unit_test(test_afford),    cmocka_unit_test(test_afford_dear),
+        cmocka_unit_test(test_near_rays), cmocka_unit_test(test_own_rays),
+        cmocka_unit_test(test_nets),      cmocka_unit_test(test_paint),
+        cmocka_unit_test(test_drawn),     cmocka_unit_test(test_drawn_area),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
