@@ -201,7 +201,7 @@ static unsigned nearby_send(struct nearby *nearby, int first,
     nearby_trace(nearby, first, sent);
     unsigned met = nearby_met(sent);
     if (first > 0 || nearby->ways->count >= most->count || met < sent->count ||
-        nearby->ways->count < nearby->mesh->near_lone.count)
+        nearby->ways == &nearby->mesh->near_more)
         return met;
     nearby->ways = most;
     nearby_trace(nearby, first, sent);
@@ -296,7 +296,7 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
     const double deep = share_deep(mesh, met);
-    if (deep > 0 && !nearby.dear)
+    if (deep > 0 && !nearby.dear && !receiver->far_side)
         nearby_own(&nearby, deep, &share, light);
     return (struct near_share){ share, met };
 }

@@ -125,7 +125,7 @@ static double plan_rough(const struct survey *survey)
  * What is half open needs no more than what is open usually has, since its
  * bounces are ended. */
 static double plan_rays(const struct light_mesh_settings *said,
-                        const struct survey *survey, double pixels, bool film)
+                        const struct survey *survey, double pixels)
 {
     double finer = plan_finer(said),
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
@@ -135,17 +135,19 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (each > gather_pixel_most || (survey->closed && !chamber))
         each = gather_pixel_most;
     if (!survey->closed)
-        each += gather_pixel_mostly * fmin(fmax(worth - gather_mostly, 0), 1);
+        each += (survey->half_open ? gather_half_mostly : gather_pixel_mostly) *
+                fmin(fmax(worth - gather_mostly, 0), 1);
     each *= chamber ? gather_chamber : plan_rough(survey);
-    each *= film && !chamber ? gather_film : 1;
     return each * edges * finer * finer;
 }
 
-/* What a gather ray costs in the open, in usual ones: what it meets asks lamps,
- * and may send another. */
+/* What a gather ray costs in the open, in rays: what it meets asks lamps, may
+ * send another, and is shaded. Where much of that is all the light there is
+ * none is spared for it [POV-Ray's patio]. */
 static double plan_sent(const struct survey *survey)
 {
-    return survey->closed ? 1 : fmax(survey->sent / gather_sent, 1);
+    const double more = fmax(survey->sent - 1, 0);
+    return survey->closed || survey->half_open ? 1 : 1 + gather_shaded * more;
 }
 
 /* What a point costs, in rays: it looks around as well. */
@@ -169,8 +171,8 @@ bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
                  bool film)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    double most = plan_rays(said, survey, pixels, film);
-    double sent = plan_sent(survey);
+    double most = plan_rays(said, survey, pixels);
+    double sent = film ? 1 : plan_sent(survey);
     if (frame->samples == 0 || said->indirect.samples > 0 ||
         said->density > 0 || points * frame_rays(frame, sent) <= most)
         return false;

@@ -356,24 +356,24 @@ static const double gather_edge = 3; /* in chambers: see way_cells.h [blocks,
 static const double gather_net = 1.43;
 static const double gather_worth_none = 0.003; /* change of the picture that is
                                                 * not seen */
-static const double gather_across = 1.5; /* pictures: how large the part of a
-                                          * scene is that must be smooth */
+static const double gather_across = 1.5; /* pictures: what must be smooth */
 /* Of a picture of so many pixels, as of smaller ones; of larger ones they grow
  * as edges do. */
 static const double gather_pixels = 76800;
 /* Gather rays for each pixel, more for each unit of worth, and in all: */
-static const double gather_pixel = 0.16, gather_pixel_worth = 1.75,
+static const double gather_pixel = 0.2, gather_pixel_worth = 2.2,
                     gather_pixel_most = 2.4;
-/* Worth beyond which most of the picture is what is gathered, where light
- * leaves the scene: more for each unit of that, of which there may be 1. */
-static const double gather_mostly = 0.4, gather_pixel_mostly = 6.5;
+/* Worth beyond which most of the picture is what is gathered: more for each
+ * unit of that, of which there may be 1, and where little light leaves the
+ * scene. */
+static const double gather_mostly = 0.4, gather_pixel_mostly = 4,
+                    gather_half_mostly = 8;
 static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;
 static const double gather_few_rough = 1.2; /* times worth: twice GATHER_FEW */
-static const double gather_sent = 1.25; /* rays that one usually takes there */
-/* Times as many where light stays; elsewhere in a film [flicker]. */
-static const double gather_chamber = 39, gather_film = 1.25;
+static const double gather_shaded = 1.5; /* rays: one more, and a shaded hit */
+static const double gather_chamber = 31; /* times as many where light stays */
 static const double gather_coarser_most = 3; /* factor of the spacing */
 static const double open_enough = 0.1; /* share of gather rays that leave the
                                         * scene: it is no chamber, */

@@ -141,21 +141,30 @@ static void test_afford(void **state)
     scene_world_free(all);
 }
 
-/* Where rays are dear there are fewer of them, and in a film more. */
+/* Where rays are dear there are fewer points, unless most light stays; in a
+ * film points have more rays. */
 static void test_afford_dear(void **state)
 {
     struct scene_world *all = scene_world_new(CAMERA);
-    const struct survey
-        cheap = { .open = 0.5, .worth = 0.3, .bounced = 0.3, .sent = 1 },
-        dear = { .open = 0.5, .worth = 0.3, .bounced = 0.3, .sent = 4 };
-    struct mesh_frame usual = { .spacing = 1, .gather = 1, .samples = 32 };
-    struct mesh_frame fewer = usual, film = usual;
+    struct survey cheap = { .open = 0.5, .worth = 0.3, .bounced = 0.3 };
+    const struct mesh_frame whole = { .spacing = 1,
+                                      .gather = 1,
+                                      .samples = 64 };
+    struct mesh_frame usual = whole, fewer = whole, half = whole, film = whole;
     (void)state;
-    assert_true(plan_afford(&usual, all->scene, &cheap, 2000, 100000, false));
-    assert_true(plan_afford(&fewer, all->scene, &dear, 2000, 100000, false));
-    assert_true(plan_afford(&film, all->scene, &cheap, 2000, 100000, true));
-    assert_true(usual.gather > 1 && fewer.gather > 1.2 * usual.gather);
-    assert_true(film.gather < usual.gather);
+    cheap.rough = 0.33;
+    cheap.sent = 1;
+    struct survey dear = cheap, stays = cheap;
+    dear.sent = stays.sent = 4;
+    stays.half_open = true;
+    assert_true(plan_afford(&usual, all->scene, &cheap, 3000, 100000, false));
+    assert_true(plan_afford(&fewer, all->scene, &dear, 3000, 100000, false));
+    assert_true(plan_afford(&half, all->scene, &stays, 3000, 100000, false));
+    assert_true(plan_afford(&film, all->scene, &cheap, 3000, 100000, true));
+    assert_true(usual.samples == 32 && fewer.samples == 32);
+    assert_true(fewer.gather > 1.2 * usual.gather);
+    assert_true(half.samples == 32 && half.gather == usual.gather);
+    assert_true(film.samples == 64);
     scene_world_free(all);
 }
 
