@@ -76,7 +76,6 @@ static void mesh_open(struct mesh_lighting *mesh, const struct scene *scene,
 {
     struct survey *survey = &mesh->survey;
     survey->closed = false;
-    survey->half_open = true;
     survey->lit.count = survey->bright.count = 0;
     virtual_lights_free(mesh->virtual_lights);
     mesh->virtual_lights = NULL;

@@ -135,19 +135,20 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (each > gather_pixel_most || (survey->closed && !chamber))
         each = gather_pixel_most;
     if (!survey->closed)
-        each += (survey->half_open ? gather_half_mostly : gather_pixel_mostly) *
-                fmin(fmax(worth - gather_mostly, 0), 1);
+        each += gather_pixel_mostly * fmin(fmax(worth - gather_mostly, 0), 1);
     each *= chamber ? gather_chamber : plan_rough(survey);
     return each * edges * finer * finer;
 }
 
 /* What a gather ray costs in the open, in rays: what it meets asks lamps, may
- * send another, and is shaded. Where much of that is all the light there is
- * none is spared for it [POV-Ray's patio]. */
+ * send another, and is shaded. None is spared for it where what is gathered is
+ * the picture [gap, POV-Ray's patio]. */
 static double plan_sent(const struct survey *survey)
 {
     const double more = fmax(survey->sent - 1, 0);
-    return survey->closed || survey->half_open ? 1 : 1 + gather_shaded * more;
+    return survey->closed || survey->worth > gather_most
+               ? 1
+               : 1 + gather_shaded * more;
 }
 
 /* What a point costs, in rays: it looks around as well. */

@@ -11,13 +11,11 @@
 enum { SURVEY_HITS = 128, SURVEY_SIGHTS = 256 };
 
 struct survey {
-    double open; /* share of gather rays that leave the scene, or end where it
-                  * glows: there is no bounce after them */
-    bool closed; /* most light stays, or what is half open is mostly lit by
-                  * its own surfaces: the skeleton of the void ends its
-                  * bounces, and virtual lights bring what lamps light */
-    bool half_open; /* it was taken for such a one, whose bounces the skeleton
-                     * can't end */
+    double open;  /* share of gather rays that leave the scene, or end where it
+                   * glows: there is no bounce after them */
+    bool closed;  /* most light stays, or what is half open is mostly lit by
+                   * its own surfaces: the skeleton of the void ends its
+                   * bounces, and virtual lights bring what lamps light */
     double worth; /* what they change of what the picture shows: mean, relative
                    */
     double bounced; /* the same but for what is picked */

@@ -150,20 +150,25 @@ static void test_afford_dear(void **state)
     const struct mesh_frame whole = { .spacing = 1,
                                       .gather = 1,
                                       .samples = 64 };
-    struct mesh_frame usual = whole, fewer = whole, half = whole, film = whole;
+    struct mesh_frame usual = whole, fewer = whole, film = whole;
+    struct mesh_frame most = { .spacing = 1, .gather = 1, .samples = 32 },
+                      same = most;
     (void)state;
     cheap.rough = 0.33;
     cheap.sent = 1;
-    struct survey dear = cheap, stays = cheap;
-    dear.sent = stays.sent = 4;
-    stays.half_open = true;
+    struct survey dear = cheap, much = cheap;
+    dear.sent = 4;
+    much.worth = much.bounced = 0.6;
     assert_true(plan_afford(&usual, all->scene, &cheap, 3000, 100000, false));
     assert_true(plan_afford(&fewer, all->scene, &dear, 3000, 100000, false));
-    assert_true(plan_afford(&half, all->scene, &stays, 3000, 100000, false));
+    assert_true(plan_afford(&most, all->scene, &much, 20000, 100000, false));
+    much.sent = 4;
+    assert_true(plan_afford(&same, all->scene, &much, 20000, 100000, false));
     assert_true(plan_afford(&film, all->scene, &cheap, 3000, 100000, true));
     assert_true(usual.samples == 32 && fewer.samples == 32);
     assert_true(fewer.gather > 1.2 * usual.gather);
-    assert_true(half.samples == 32 && half.gather == usual.gather);
+    assert_true(same.samples == most.samples && same.gather == most.gather);
+    assert_true(most.gather > 1);
     assert_true(film.samples == 64);
     scene_world_free(all);
 }
