@@ -295,6 +295,8 @@ struct near_share near_field_share(const struct indirect_mesh *mesh,
     share.open = fmin(share.open + nearby.shares.open, 1);
     if (met > 0)
         indirect_light_mix(light, &nearby.met, 1);
+    /* A far side is seen through what it is of: short rays are enough, and
+     * those of a screen all meet its other wall. */
     const double deep = share_deep(mesh, met);
     if (deep > 0 && !nearby.dear && !receiver->far_side)
         nearby_own(&nearby, deep, &share, light);

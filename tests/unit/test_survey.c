@@ -126,7 +126,7 @@ static void test_afford(void **state)
     struct mesh_frame few = { .spacing = 1, .gather = 1, .samples = 128 };
     struct mesh_frame many = few, crowd = few;
     (void)state;
-    assert_false(plan_afford(&few, all->scene, &survey, 80, 100000, false));
+    assert_false(plan_afford(&few, all->scene, &survey, 100, 100000, false));
     assert_true(few.samples == 128 && few.gather == 1);
     assert_true(plan_afford(&many, all->scene, &survey, 200, 100000, false));
     assert_true(many.samples < 128 && many.samples >= 32 && many.gather == 1);
@@ -141,8 +141,8 @@ static void test_afford(void **state)
     scene_world_free(all);
 }
 
-/* Where rays are dear there are fewer points, unless most light stays; in a
- * film points have more rays. */
+/* Where rays are dear there are fewer points, unless what they bring is most of
+ * the picture; in a film points have more rays. */
 static void test_afford_dear(void **state)
 {
     struct scene_world *all = scene_world_new(CAMERA);
