@@ -71,8 +71,7 @@ static void mesh_report_on(struct mesh_lighting *mesh)
 
 /* What is half open is planned as what is open. */
 static void mesh_open(struct mesh_lighting *mesh, const struct scene *scene,
-                      const struct outlook *outlook,
-                      const struct lighting_options *options)
+                      const struct outlook *outlook)
 {
     struct survey *survey = &mesh->survey;
     survey->closed = false;
@@ -81,8 +80,7 @@ static void mesh_open(struct mesh_lighting *mesh, const struct scene *scene,
     mesh->virtual_lights = NULL;
     void_skeleton_free(&mesh->close);
     mesh->close = (struct void_skeleton){ NULL, NULL };
-    mesh->stamp.frame =
-        plan_frame(scene, outlook, survey, mesh_film(options), 0);
+    mesh->stamp.frame = plan_frame(scene, outlook, survey, mesh->film, 0);
 }
 
 /* Where the skeleton doesn't know the light a chamber gathers more, for rays
@@ -99,7 +97,7 @@ static void mesh_see(struct mesh_lighting *mesh, const struct scene *scene,
                  mesh_close_knows(&mesh->close, &mesh->survey, &worker);
     arena_free(worker.scratch);
     if (!knows && mesh->survey.open >= open_enough)
-        mesh_open(mesh, scene, outlook, options);
+        mesh_open(mesh, scene, outlook);
     else if (!knows)
         frame->samples = (int)fmax(frame->samples, CHAMBER_BLIND);
 }
@@ -110,14 +108,14 @@ static void mesh_frame_plan(struct mesh_lighting *mesh,
                             const struct outlook *outlook,
                             const struct lighting_options *options)
 {
-    mesh->film = mesh_film(options) != PLAN_ALONE;
+    mesh->film = mesh_film(options);
     mesh->rooted = mesh_known_root(&mesh->stamp, options, &mesh->root);
     const struct survey known = { .closed = mesh->root.closed,
                                   .lit = mesh->root.lit,
                                   .bright = mesh->root.bright };
     mesh_look(mesh, scene, options, mesh->rooted ? &known : NULL);
     mesh->stamp.frame =
-        plan_frame(scene, outlook, &mesh->survey, mesh_film(options), 0);
+        plan_frame(scene, outlook, &mesh->survey, mesh->film, 0);
 }
 
 /* What is known already, and meshes for the rest. */

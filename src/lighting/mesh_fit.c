@@ -37,10 +37,11 @@ void mesh_make(struct mesh_lighting *mesh, const struct scene *scene,
     if (plan->indirect.bounces == 0)
         return;
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
+    const bool film = mesh->film != PLAN_ALONE;
     const struct plan_own own =
         plan_own_rays(said, &mesh->survey, &plan->indirect.lattice,
-                      &plan->indirect.view, mesh->film);
-    plan->indirect.near_lone = plan_lone_rays(said, &mesh->survey, mesh->film);
+                      &plan->indirect.view, film);
+    plan->indirect.near_lone = plan_lone_rays(said, &mesh->survey, film);
     plan->indirect.near_own = own.rays;
     plan->indirect.own_worth = own.worth;
     mesh->indirect = indirect_mesh_new(mesh->direct, mesh->emitters,
@@ -75,7 +76,8 @@ static void mesh_afford(struct mesh_lighting *mesh, const struct scene *scene,
         return;
     const struct census census = mesh_census(mesh, scene, options);
     if (plan_afford(&mesh->stamp.frame, scene, &mesh->survey,
-                    census_gathered(&census), census.pixels, mesh->film))
+                    census_gathered(&census), census.pixels,
+                    mesh->film != PLAN_ALONE))
         mesh_make(mesh, scene, interpolation);
 }
 
@@ -108,8 +110,8 @@ bool mesh_fit(struct mesh_lighting *mesh, const struct scene *scene,
     while (coarser < SPACINGS_MOST && mesh_crowded(mesh, scene, options) &&
            !mesh_fit_stopped(options)) {
         mesh->levels = (struct plan_levels){ 0, 0 };
-        mesh->stamp.frame = plan_frame(scene, outlook, &mesh->survey,
-                                       mesh_film(options), ++coarser);
+        mesh->stamp.frame =
+            plan_frame(scene, outlook, &mesh->survey, mesh->film, ++coarser);
         mesh_make(mesh, scene, interpolation);
         mesh_afford(mesh, scene, interpolation, options);
     }

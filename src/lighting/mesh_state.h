@@ -33,7 +33,7 @@ struct mesh_lighting {
     struct plan_levels levels; /* of these views: 0 but for a mesh that is kept,
                                 * or one like another's */
     struct mesh_stamp stamp;
-    bool film;              /* its picture is one of an animation's, */
+    enum plan_film film;    /* what its picture is one of; */
     bool rooted;            /* its animation has a root, and something moves: */
     struct mesh_frame root; /* where that has its points */
     const struct mesh_lighting *now; /* whose are `close` and virtual_lights, if

@@ -304,7 +304,7 @@ static const double near_glow_worth = 0.5;  /* what is worth less has few */
 /* Of short rays so many meet something in a corner, and in a crevice; where
  * there are many of these, in the deepest. */
 static const double near_shallow = 0.25, near_deep = 0.5, near_full = 0.4;
-static const double own_usual = 0.045; /* of places are: more have fewer rays */
+static const double own_usual = 0.045; /* of places in one: more have less */
 static const double own_little = 0.5;  /* of one: a packet of rays tells that */
 /* What surfaces give is less of the picture: fewer short rays, fewer of these
  * [price]. */

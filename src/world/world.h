@@ -73,7 +73,8 @@ enum { WORLD_RAYS = RAY_LANES };
 
 /* The same for the first so many rays, within the span of each, which is twice
  * as quick if they begin and go close together, as those of neighbouring pixels
- * do; the others should be as one of these (rays_fill). */
+ * do; the others should be as one of these (rays_fill). RAY_GATHER among many
+ * things go one by one. */
 void world_closest_many(const struct world *world, const struct rays *rays,
                         const struct rays_span *span, unsigned count,
                         enum ray_kind kind, struct world_hit *out);
