@@ -120,12 +120,22 @@ static double plan_rough(const struct survey *survey)
                 gather_rough_most);
 }
 
+/* What is gathered is so much of the picture that it gets more rays: 0 to 1,
+ * nothing where it is smooth, for there no eye sees the difference [POV-Ray's
+ * table of colours], except in a film. */
+static double plan_mostly(const struct survey *survey, double worth, bool film)
+{
+    double rough = (survey->rough - mostly_smooth) / mostly_rough;
+    double seen = film ? 1 : fmin(fmax(rough, 0), 1);
+    return seen * fmin(fmax(worth - gather_mostly, 0), 1);
+}
+
 /* The more light comes from surfaces the more of the picture depends on it: all
  * of it in a chamber, of which a small picture shows as much as a large one.
  * What is half open needs no more than what is open usually has, since its
  * bounces are ended. */
 static double plan_rays(const struct light_mesh_settings *said,
-                        const struct survey *survey, double pixels)
+                        const struct survey *survey, double pixels, bool film)
 {
     double finer = plan_finer(said),
            edges = sqrt(fmax(pixels, gather_pixels) * gather_pixels);
@@ -135,20 +145,20 @@ static double plan_rays(const struct light_mesh_settings *said,
     if (each > gather_pixel_most || (survey->closed && !chamber))
         each = gather_pixel_most;
     if (!survey->closed)
-        each += gather_pixel_mostly * fmin(fmax(worth - gather_mostly, 0), 1);
+        each += gather_pixel_mostly * plan_mostly(survey, worth, film);
     each *= chamber ? gather_chamber : plan_rough(survey);
     return each * edges * finer * finer;
 }
 
 /* What a gather ray costs in the open, in rays: what it meets asks lamps, may
  * send another, and is shaded. None is spared for it where what is gathered is
- * the picture [gap, POV-Ray's patio]. */
+ * the picture, and rough [gap, POV-Ray's patio]. */
 static double plan_sent(const struct survey *survey)
 {
     const double more = fmax(survey->sent - 1, 0);
-    return survey->closed || survey->worth > gather_most
-               ? 1
-               : 1 + gather_shaded * more;
+    const bool most = survey->worth > gather_most &&
+                      survey->rough > mostly_smooth + mostly_rough / 2;
+    return survey->closed || most ? 1 : 1 + gather_shaded * more;
 }
 
 /* What a point costs, in rays: it looks around as well. */
@@ -172,7 +182,7 @@ bool plan_afford(struct mesh_frame *frame, const struct scene *scene,
                  bool film)
 {
     const struct light_mesh_settings *said = &scene->settings.light_mesh;
-    double most = plan_rays(said, survey, pixels);
+    double most = plan_rays(said, survey, pixels, film);
     double sent = film ? 1 : plan_sent(survey);
     if (frame->samples == 0 || said->indirect.samples > 0 ||
         said->density > 0 || points * frame_rays(frame, sent) <= most)

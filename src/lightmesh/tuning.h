@@ -364,9 +364,10 @@ static const double gather_pixels = 76800;
 static const double gather_pixel = 0.2, gather_pixel_worth = 2.2,
                     gather_pixel_most = 2.4;
 /* Worth beyond which most of the picture is what is gathered: more for each
- * unit of that, of which there may be 1; and beyond which none is spared. */
+ * unit of that, of which there may be 1; and beyond which none is spared. How
+ * rough it may be to need none of both, and how much rougher to need all. */
 static const double gather_mostly = 0.4, gather_pixel_mostly = 8,
-                    gather_most = 0.5;
+                    gather_most = 0.5, mostly_smooth = 0.4, mostly_rough = 0.1;
 static const double gather_rough = 0.2; /* what is usual, likewise; rougher
                                          * light gets more, a factor: */
 static const double gather_rough_least = 0.5, gather_rough_most = 1.75;

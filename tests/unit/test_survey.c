@@ -142,7 +142,7 @@ static void test_afford(void **state)
 }
 
 /* Where rays are dear there are fewer points, unless what they bring is most of
- * the picture; in a film points have more rays. */
+ * the picture and rough; in a film points have more rays. */
 static void test_afford_dear(void **state)
 {
     struct scene_world *all = scene_world_new(CAMERA);
@@ -152,23 +152,26 @@ static void test_afford_dear(void **state)
                                       .samples = 64 };
     struct mesh_frame usual = whole, fewer = whole, film = whole;
     struct mesh_frame most = { .spacing = 1, .gather = 1, .samples = 32 },
-                      same = most;
+                      same = most, even = most;
     (void)state;
     cheap.rough = 0.33;
     cheap.sent = 1;
     struct survey dear = cheap, much = cheap;
     dear.sent = 4;
     much.worth = much.bounced = 0.6;
+    much.rough = 0.7;
     assert_true(plan_afford(&usual, all->scene, &cheap, 3000, 100000, false));
     assert_true(plan_afford(&fewer, all->scene, &dear, 3000, 100000, false));
     assert_true(plan_afford(&most, all->scene, &much, 20000, 100000, false));
     much.sent = 4;
     assert_true(plan_afford(&same, all->scene, &much, 20000, 100000, false));
+    much.rough = 0.35;
+    assert_true(plan_afford(&even, all->scene, &much, 20000, 100000, false));
     assert_true(plan_afford(&film, all->scene, &cheap, 3000, 100000, true));
     assert_true(usual.samples == 32 && fewer.samples == 32);
     assert_true(fewer.gather > 1.2 * usual.gather);
     assert_true(same.samples == most.samples && same.gather == most.gather);
-    assert_true(most.gather > 1);
+    assert_true(most.gather > 1 && even.gather > 1.5 * most.gather);
     assert_true(film.samples == 64);
     scene_world_free(all);
 }
