@@ -38,7 +38,7 @@ static struct indirect_share asker_share(const struct mesh_indirect *known,
     if (known->pixels && straight && !(beyond && little) &&
         indirect_pixels_light(known->pixels, worker, receiver, &share))
         return share;
-    receiver->view.coarser += !straight;
+    receiver->view.coarser += !straight || receiver->far_side;
     return beyond && little && !receiver->far_side
                ? indirect_mesh_beyond(known->mesh, worker, receiver)
                : indirect_mesh_light(known->mesh, worker, receiver);
@@ -71,9 +71,9 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
                                    share.light };
 }
 
-/* And light that comes through it, as through a leaf or a lamp's shade. The
- * pixels' corners are on the side that is seen; of the other no single point
- * answers, for what differs between points is seen at once. */
+/* And light that comes through it, as through a leaf or a lamp's shade. Of that
+ * side no single point answers, for what differs between points is seen at
+ * once. */
 static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
                                         struct worker *worker,
                                         struct asker *asker)
@@ -86,7 +86,6 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
     receiver->side = vec3_negate(receiver->side);
     receiver->normal = vec3_negate(receiver->normal);
     receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
-    receiver->pixel = NULL;
     receiver->far_side = true;
     other.albedo = rgb_scale(asker->albedo, asker->behind);
     rgb through = mesh_answer_side(known, worker, &other).irradiance;

@@ -35,8 +35,8 @@ void mesh_look(struct mesh_lighting *mesh, const struct scene *scene,
     /* Where one bounce brings next to nothing more may: round two corners; and
      * what glows lights what rays meet in no other way. */
     gather.onward =
-        survey.open < 1 && (survey.worth < gather_worth_none ||
-                            (!survey.closed && emitters_any(mesh->emitters)));
+        survey.stays && (survey.worth < gather_worth_none ||
+                         (!survey.closed && emitters_any(mesh->emitters)));
     if (survey.closed && !options->numbers) {
         look = (struct survey_options){ .rays = CHAMBER_RAYS,
                                         .known = known,

@@ -31,6 +31,12 @@ void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
     corner_here(corner, mesh, &receiver);
 }
 
+void corner_turn(struct corner *corner)
+{
+    corner->side = vec3_negate(corner->side);
+    corner->from = vec3_sub(vec3_scale(corner->point, 2), corner->from);
+}
+
 struct receiver corner_receiver(const struct corner *corner,
                                 const struct receiver *like, int coarser)
 {

@@ -21,6 +21,9 @@ void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
                  const struct receiver *like, const struct ray *ray,
                  const struct intersection *at);
 
+/* It is of the other side, seen from there. */
+void corner_turn(struct corner *corner);
+
 /* The receiver's own place. */
 void corner_here(struct corner *corner, const struct indirect_mesh *mesh,
                  const struct receiver *receiver);

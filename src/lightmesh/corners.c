@@ -22,7 +22,7 @@ static bool corners_again(struct corners *corners,
     struct corner_cell *cell =
         corner_store_last(ask->store, ask->worker, level);
     if (!cell || cell->flat <= 0 || cell->coarser != coarser ||
-        !vec3_same(cell->name.side, ask->receiver->side) ||
+        !vec3_same(cell->name.side, receiver_seen(ask->receiver)) ||
         !surface_grid_within(ask->store->grid, &cell->name,
                              ask->receiver->point, corners->grid))
         return false;

@@ -245,9 +245,9 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
 {
     if (indirect_mesh_leaves(mesh, receiver))
         return share_left(mesh, worker, receiver);
-    const struct near_ways *ways = receiver->pixel      ? &mesh->near_lone
-                                   : receiver->far_side ? &mesh->near_more
-                                                        : NULL;
+    const struct near_ways *ways = receiver->far_side ? &mesh->near_more
+                                   : receiver->pixel  ? &mesh->near_lone
+                                                      : NULL;
     struct indirect_light light;
     struct near_share near;
     if (indirect_mesh_blend(mesh, worker, receiver, &light) &&

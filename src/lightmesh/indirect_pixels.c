@@ -11,8 +11,8 @@
 struct indirect_pixels {
     const struct indirect_mesh *mesh;
     struct surface_grid grid;
-    struct corner_store *store;
-    struct pixel_blocks *blocks;
+    struct corner_store *store[2];  /* of sides that are seen, and far ones */
+    struct pixel_blocks *blocks[2]; /* likewise */
     struct pixel_answers *answers;
     struct lone_places *lone;
 };
@@ -31,11 +31,15 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
         .mesh = mesh,
         .grid = surface_grid_new(camera, size, apart, mesh->gather.view.eye,
                                  lattice_spacing(lattice, lattice->usual)),
-        .blocks = pixel_blocks_new(mesh, camera, size, apart, threads),
         .answers = pixel_answers_new(threads),
         .lone = lone_places_new(mesh, threads),
     };
-    pixels->store = corner_store_new(mesh, camera, &pixels->grid, threads);
+    for (int far = 0; far < 2; far++) {
+        pixels->store[far] =
+            corner_store_new(mesh, camera, far, &pixels->grid, threads);
+        pixels->blocks[far] =
+            pixel_blocks_new(mesh, camera, far, size, apart, threads);
+    }
     return pixels;
 }
 
@@ -43,8 +47,10 @@ void indirect_pixels_free(struct indirect_pixels *pixels)
 {
     if (!pixels)
         return;
-    corner_store_free(pixels->store);
-    pixel_blocks_free(pixels->blocks);
+    for (int far = 0; far < 2; far++) {
+        corner_store_free(pixels->store[far]);
+        pixel_blocks_free(pixels->blocks[far]);
+    }
     pixel_answers_free(pixels->answers);
     lone_places_free(pixels->lone);
     memory_free(pixels);
@@ -65,9 +71,11 @@ static bool lone_light(const struct asking *ask, struct indirect_share *share)
     const struct indirect_pixels *pixels = ask->pixels;
     const struct receiver *receiver = ask->who.receiver;
     return receiver->pixel &&
-           (pixel_blocks_light(pixels->blocks, ask->who.worker, receiver,
-                               share) ||
-            lone_places_light(pixels->lone, ask->who.worker, receiver, share));
+           (pixel_blocks_light(pixels->blocks[receiver->far_side],
+                               ask->who.worker, receiver, share) ||
+            (!receiver->far_side &&
+             lone_places_light(pixels->lone, ask->who.worker, receiver,
+                               share)));
 }
 
 /* By corners of a level, and so much by those twice as far apart. */
@@ -207,8 +215,9 @@ bool indirect_pixels_light(const struct indirect_pixels *pixels,
                            struct indirect_share *share)
 {
     struct asking ask = { .pixels = pixels,
-                          .who = { pixels->store, worker, receiver } };
-    if (receiver->far_side || indirect_mesh_leaves(pixels->mesh, receiver))
+                          .who = { pixels->store[receiver->far_side], worker,
+                                   receiver } };
+    if (indirect_mesh_leaves(pixels->mesh, receiver))
         return false;
     if (receiver->pixel &&
         pixel_answers_find(pixels->answers, worker, receiver, share))

@@ -30,4 +30,10 @@ static inline bool receiver_is_bumpy(const struct receiver *receiver)
     return vec3_dot(receiver->normal, receiver->side) < indirect_pixels_flat;
 }
 
+/* The side that is seen. */
+static inline vec3 receiver_seen(const struct receiver *receiver)
+{
+    return receiver->far_side ? vec3_negate(receiver->side) : receiver->side;
+}
+
 #endif

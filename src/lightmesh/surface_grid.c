@@ -96,8 +96,8 @@ bool surface_grid_cell(const struct surface_grid *grid,
                        struct grid_cell *cell, double weight[GRID_CORNERS])
 {
     double at[3];
-    const double side[3] = { receiver->side.x, receiver->side.y,
-                             receiver->side.z };
+    const vec3 seen = receiver_seen(receiver);
+    const double side[3] = { seen.x, seen.y, seen.z };
     if (level >= GRID_LEVELS)
         return false;
     for (int i = 0; i < 3; i++)
@@ -119,7 +119,7 @@ bool surface_grid_cell(const struct surface_grid *grid,
     cell->slab[1] = floor_of(rise + slope);
     cell->slab[2] = floor_of(rise + fall);
     cell->slab[3] = floor_of(rise + slope + fall);
-    cell->side = receiver->side;
+    cell->side = seen;
     cell_weights(x, y, weight);
     return true;
 }

@@ -79,9 +79,18 @@ static double gathered_ends(const struct gathered_ray *found, bool wall)
     return lost || rgb_peak(found->glow) > 0 ? 1 : fmin(found->open, 1);
 }
 
+/* The same; where some goes on light stays. */
+static double sums_ends(struct sums *sums, const struct gathered_ray *found,
+                        bool wall)
+{
+    const double ends = gathered_ends(found, wall);
+    sums->stays |= ends < 1;
+    return ends;
+}
+
 /* Adds what comes through from the far side of leaves, by a ray that is
  * mirrored; returns what of it isn't picked. */
-static rgb sight_add_behind(const struct sight *sight, const struct sums *sums,
+static rgb sight_add_behind(const struct sight *sight, struct sums *sums,
                             struct worker *worker, struct ray ray,
                             const struct draws *draws,
                             struct gathered_ray *found)
@@ -95,6 +104,7 @@ static rgb sight_add_behind(const struct sight *sight, const struct sums *sums,
     double density = along / WARP_PI;
     ray.direction = vec3_along(ray.direction, surface->side, -2 * along);
     gather_radiance(sums->gather, worker, &ray, draws, &more);
+    sums_ends(sums, &more, gathered_wall(sums, &ray, &more));
     found->light = rgb_add_scaled(found->light, more.light, behind);
     return rgb_scale(gather_balanced(sums->gather, &ray, density, 1, &more),
                      behind);
@@ -124,7 +134,7 @@ static void sight_gather(const struct sight *sight, struct worker *worker,
         gather_radiance(sums->gather, worker, &ray, &draws, &found);
         sums->sent += (double)worker->counters.shadow_rays;
         bool wall = gathered_wall(sums, &ray, &found);
-        sums->ends += gathered_ends(&found, wall);
+        sums->ends += sums_ends(sums, &found, wall);
         struct bright_hit *hit = &sums->hits[first + (size_t)i];
         *hit = gathered_hit(&ray, &found, wall);
         hit->lamps = rgb_brightness(rgb_mul(sight->albedo, found.lamps));
@@ -318,6 +328,7 @@ static struct survey sums_tell(struct sums *sums,
     if (sums->sights == 0)
         return survey;
     survey.open = sums->ends / rays;
+    survey.stays = sums->stays;
     survey.sent = sums->sent / rays;
     survey.worth = sums->worth / sums->sights;
     survey.bounced = sums->bounced / sums->sights;

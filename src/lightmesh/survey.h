@@ -13,6 +13,8 @@ enum { SURVEY_HITS = 128, SURVEY_SIGHTS = 256 };
 struct survey {
     double open;  /* share of gather rays that leave the scene, or end where it
                    * glows: there is no bounce after them */
+    bool stays;   /* light goes on from what one of them met, or one that was
+                   * sent from a far side */
     bool closed;  /* most light stays, or what is half open is mostly lit by
                    * its own surfaces: the skeleton of the void ends its
                    * bounces, and virtual lights bring what lamps light */

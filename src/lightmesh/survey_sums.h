@@ -23,6 +23,7 @@ struct sums {
     int sights, each; /* places, and rays of one, */
     int choosing;     /* the first of which find what is bright; the others
                        * judge */
+    bool stays;       /* as of a survey */
     double open, ends, worth, bounced, returned, sent;
     rgb light;
     struct bright_hit *hits;
