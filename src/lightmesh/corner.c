@@ -46,6 +46,7 @@ struct receiver corner_receiver(const struct corner *corner,
     receiver.normal = corner->side;
     receiver.from = corner->from;
     receiver.at = NULL;
+    receiver.at_first = true;
     receiver.weight = point_mesh_typical_worth(coarser);
     return receiver;
 }

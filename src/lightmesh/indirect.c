@@ -165,7 +165,7 @@ static bool glow_find(const struct indirect_mesh *mesh, struct worker *worker,
     const struct near_place place = {
         receiver->point, receiver->side,
         indirect_light_share(light, receiver->side).light,
-        receiver->pixel ? 1 : fmin(receiver->weight, 1)
+        receiver->at_first ? 1 : fmin(receiver->weight, 1)
     };
     return near_glow_find(mesh->near_glow, &mesh->gather, worker, &place, glow,
                           arriving);
@@ -186,7 +186,7 @@ static bool mesh_mend(const struct indirect_mesh *mesh, struct worker *worker,
             *near = near_field_share(mesh, worker, receiver, ways, NULL, light);
         return ways != NULL;
     }
-    if (receiver->pixel || receiver->weight >= gather_worth_whole)
+    if (receiver->at_first || receiver->weight >= gather_worth_whole)
         ways = &mesh->near_beside;
     else if (!ways)
         ways = &mesh->near_more;

@@ -17,7 +17,8 @@ struct receiver {
                                     * no points on surfaces are asked */
     const struct picture_place *pixel; /* where the camera sees it at first
                                         * sight; else NULL */
-    bool unmirrored;                   /* it sees it there, or through panes */
+    bool at_first;            /* it does, or a corner asks for what it sees */
+    bool unmirrored;          /* it sees it there, or through panes */
     struct lattice_view view; /* how near to each other mesh points are */
     bool far_side;            /* of what lets light through, as a leaf */
     double weight; /* of what it gets in the picture, 0 to 1: what is worth
