@@ -219,17 +219,21 @@ static void flight_stay(const struct flight *flight,
     }
 }
 
-/* Through media to the next surface. */
+/* Through media to the next surface. As POV-Ray's (measured) photons stay where
+ * media that a container holds scatter; then they light those of the scene as
+ * well, which alone have none. */
 static void flight_drift(struct flight *flight, double distance)
 {
     const struct sending *sending = flight->sending;
     const struct lamp *lamp = flight->row->aim->lamp;
-    struct media_list media;
+    struct media_list media, held;
     media_find(&media, &sending->tracer->scene->media, &flight->inside);
     if (media.count == 0)
         return;
-    if (flight->bent && sending->steps >= 1 && !lamp->light->no_media)
-        flight_stay(flight, &media, distance);
+    media_find(&held, NULL, &flight->inside);
+    if (held.count > 0 && flight->bent && sending->steps >= 1 &&
+        !lamp->light->no_media)
+        flight_stay(flight, &held, distance);
     struct media_way way = { .media = &media,
                              .origin = flight->ray.origin,
                              .direction = flight->ray.direction,
