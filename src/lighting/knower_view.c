@@ -59,6 +59,7 @@ static void view_pixel(const struct mesh_lamps *lamps, struct worker *worker,
     vec3 side = vec3_against(at.face, ray.direction);
     struct receiver receiver = { .point = at.point,
                                  .side = side,
+                                 .smooth = side,
                                  .normal = side,
                                  .from = ray.origin,
                                  .at = &at,

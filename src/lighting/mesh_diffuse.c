@@ -84,6 +84,7 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
     struct asker other = *asker;
     struct receiver *receiver = &other.receiver;
     receiver->side = vec3_negate(receiver->side);
+    receiver->smooth = vec3_negate(receiver->smooth);
     receiver->normal = vec3_negate(receiver->normal);
     receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
     receiver->far_side = true;
@@ -102,6 +103,7 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
         .receiver = {
             .point = surface->point,
             .side = surface->side,
+            .smooth = surface->normal,
             .normal = known->smooth ? surface->normal : layer->normal,
             .from = vec3_along(surface->point, surface->view, surface->at->t),
             .pixel = surface->place,
@@ -126,6 +128,7 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
         .receiver = {
             .point = point,
             .side = facets_side(facets, i),
+            .smooth = lane_get(facets->normal, i),
             .normal = lane_get(facets->layer[0].normal, i),
             .from = vec3_along(point, lane_get(facets->view, i),
                                facets->faces->hit[i].t),

@@ -33,6 +33,7 @@ static struct receiver receiver_at(const struct ray *ray,
     vec3 side = vec3_against(at->face, ray->direction);
     return (struct receiver){ .point = at->point,
                               .side = side,
+                              .smooth = side,
                               .normal = side,
                               .from = ray->origin,
                               .at = at,

@@ -43,7 +43,7 @@ struct receiver corner_receiver(const struct corner *corner,
     struct receiver receiver = *like;
     receiver.point = corner->point;
     receiver.side = corner->side;
-    receiver.normal = corner->side;
+    receiver.smooth = receiver.normal = corner->side;
     receiver.from = corner->from;
     receiver.at = NULL;
     receiver.at_first = true;
@@ -114,7 +114,7 @@ struct indirect_share corner_share(const struct corner *corner,
                                                             corner->side),
                                 turned = indirect_light_bumped(
                                     &light->light, receiver->side,
-                                    receiver->normal);
+                                    receiver->smooth, receiver->normal);
     share.light.r = turned_by(share.light.r, here.light.r, turned.light.r);
     share.light.g = turned_by(share.light.g, here.light.g, turned.light.g);
     share.light.b = turned_by(share.light.b, here.light.b, turned.light.b);

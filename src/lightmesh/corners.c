@@ -145,7 +145,8 @@ static struct indirect_share corners_bumpy(const struct corners *corners,
     for (int i = 0; i < corners->count; i++)
         indirect_light_mix(&light, &corners->at[i].light->light,
                            (float)(corners->at[i].weight / corners->sum));
-    return indirect_light_bumped(&light, receiver->side, receiver->normal);
+    return indirect_light_bumped(&light, receiver->side, receiver->smooth,
+                                 receiver->normal);
 }
 
 struct indirect_share corners_light(const struct corners *corners,

@@ -143,6 +143,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     const struct gather *gather = gathering->gather;
     const struct receiver receiver = { .point = surface->point,
                                        .side = surface->side,
+                                       .smooth = surface->normal,
                                        .normal = surface->normal,
                                        .from = gathering->ray.origin,
                                        .view = gather->view,

@@ -236,7 +236,8 @@ struct indirect_share indirect_mesh_beyond(const struct indirect_mesh *mesh,
     if (indirect_mesh_leaves(mesh, receiver))
         return share_left(mesh, worker, receiver);
     indirect_mesh_blend(mesh, worker, receiver, &light);
-    return indirect_light_bumped(&light, receiver->side, receiver->normal);
+    return indirect_light_bumped(&light, receiver->side, receiver->smooth,
+                                 receiver->normal);
 }
 
 struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
@@ -254,7 +255,8 @@ struct indirect_share indirect_mesh_light(const struct indirect_mesh *mesh,
         mesh_mend(mesh, worker, receiver, ways, &light, &near) &&
         !receiver_is_bumpy(receiver))
         return near.share;
-    return indirect_light_bumped(&light, receiver->side, receiver->normal);
+    return indirect_light_bumped(&light, receiver->side, receiver->smooth,
+                                 receiver->normal);
 }
 
 bool indirect_mesh_nearest(const struct indirect_mesh *mesh,

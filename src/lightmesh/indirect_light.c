@@ -54,30 +54,27 @@ void indirect_light_tint(struct indirect_light *light, rgb share)
     }
 }
 
-static struct indirect_share
-indirect_light_weighted(const struct indirect_light *light,
-                        const double weights[HARMONICS])
+struct indirect_share indirect_light_share(const struct indirect_light *light,
+                                           vec3 normal)
 {
+    double weights[HARMONICS];
+    harmonics_weights(normal, 1, weights);
     return (struct indirect_share){
         harmonics_weighted(&light->light, weights),
         harmonics_weighted_share(light->open, weights),
     };
 }
 
-struct indirect_share indirect_light_share(const struct indirect_light *light,
-                                           vec3 normal)
-{
-    double weights[HARMONICS];
-    harmonics_weights(normal, 1, weights);
-    return indirect_light_weighted(light, weights);
-}
-
 struct indirect_share indirect_light_bumped(const struct indirect_light *light,
-                                            vec3 side, vec3 normal)
+                                            vec3 side, vec3 smooth, vec3 normal)
 {
-    double weights[HARMONICS];
+    double weights[HARMONICS], open[HARMONICS];
     harmonics_bump(side, normal, weights);
-    return indirect_light_weighted(light, weights);
+    harmonics_bump(side, smooth, open);
+    return (struct indirect_share){
+        harmonics_weighted(&light->light, weights),
+        harmonics_weighted_share(light->open, open),
+    };
 }
 
 rgb bounce_toned(const struct bounce_tone *tone, rgb light)

@@ -49,10 +49,12 @@ static inline void indirect_share_mix(struct indirect_share *share,
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal);
 
-/* The same where bumps turn the normal of a surface, which hides what is behind
- * it. */
+/* The same of a surface with a `side`, which hides what is behind it. Bumps
+ * turn its normal; ambient light, as in POV-Ray, isn't any less for them: it
+ * comes to the normal without, which is smooth. */
 struct indirect_share indirect_light_bumped(const struct indirect_light *light,
-                                            vec3 side, vec3 normal);
+                                            vec3 side, vec3 smooth,
+                                            vec3 normal);
 
 /* Light of surfaces as POV-Ray's radiosity has it (measured): brighter, or with
  * less colour. */

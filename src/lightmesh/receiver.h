@@ -11,7 +11,8 @@ struct picture_place;
 struct receiver {
     vec3 point;
     vec3 side;   /* the true normal there, unit, to the side that is lit */
-    vec3 normal; /* the same with bumps, to which cosines are taken */
+    vec3 smooth; /* the same as neighbours share it, for ambient light, */
+    vec3 normal; /* and with bumps: cosines of all other light are to that */
     vec3 from;   /* where it is seen from: nothing is between */
     const struct intersection *at; /* what it is on; NULL: it isn't told, and
                                     * no points on surfaces are asked */

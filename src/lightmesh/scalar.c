@@ -65,6 +65,7 @@ static rgb points_mean(const struct point_mesh *points,
     rgb sum = rgb_grey(0);
     const struct receiver receiver = { .point = surface->point,
                                        .side = surface->side,
+                                       .smooth = surface->side,
                                        .normal = surface->side,
                                        .view = view,
                                        .weight = 1 };
