@@ -2,7 +2,7 @@
 // through the upper one is what is between them. All that is sent from the upper
 // one's own side leaves the scene.
 // claims: path bounced
-// options path: --samples 4096
+// options path: --samples 1024
 //
 // The lamp L = <.2, .4, .6> shines down on the upper leaf. Leaves send on f = .3
 // of what they get, and b = .6 of what their other sides get, times their colour
