@@ -48,6 +48,12 @@ static inline vec3 vec3_along(vec3 a, vec3 b, double s)
     return (vec3){ a.x + s * b.x, a.y + s * b.y, a.z + s * b.z };
 }
 
+/* As far from `middle` as `a`, on its other side. */
+static inline vec3 vec3_opposite(vec3 a, vec3 middle)
+{
+    return (vec3){ 2 * middle.x - a.x, 2 * middle.y - a.y, 2 * middle.z - a.z };
+}
+
 static inline vec3 vec3_mix(vec3 a, vec3 b, double t)
 {
     return vec3_along(a, vec3_sub(b, a), t);

@@ -7,7 +7,7 @@
 
 /* Who asks. */
 struct asker {
-    struct receiver receiver; /* of no weight and view yet */
+    struct receiver receiver; /* of no weight and view yet, and not at first */
     double weight;            /* in the picture */
     rgb albedo, ambient;      /* of irradiance, and of ambient light 1 */
     bool scatters;            /* whether irradiance does anything to it */
@@ -54,6 +54,7 @@ static struct diffuse_light mesh_answer_side(const struct mesh_indirect *known,
     struct indirect_share share = { rgb_grey(0), 0 };
     struct receiver *receiver = &asker->receiver;
     receiver->view = known->view;
+    receiver->at_first = receiver->pixel != NULL;
     receiver->weight = asker->weight * most;
     unsigned long long rays = worker->counters.shadow_rays;
     if (asker->scatters || rgb_peak(ambient) > 0)
@@ -86,7 +87,7 @@ static struct diffuse_light mesh_answer(const struct mesh_indirect *known,
     receiver->side = vec3_negate(receiver->side);
     receiver->smooth = vec3_negate(receiver->smooth);
     receiver->normal = vec3_negate(receiver->normal);
-    receiver->from = vec3_sub(vec3_scale(receiver->point, 2), receiver->from);
+    receiver->from = vec3_opposite(receiver->from, receiver->point);
     receiver->far_side = true;
     other.albedo = rgb_scale(asker->albedo, asker->behind);
     rgb through = mesh_answer_side(known, worker, &other).irradiance;
@@ -107,7 +108,6 @@ struct diffuse_light mesh_diffuse(const struct mesh_indirect *known,
             .normal = known->smooth ? surface->normal : layer->normal,
             .from = vec3_along(surface->point, surface->view, surface->at->t),
             .pixel = surface->place,
-            .at_first = surface->place != NULL,
             .unmirrored = surface->unmirrored,
         },
         .weight = surface->weight,
@@ -133,7 +133,6 @@ struct diffuse_light mesh_diffuse_facet(const struct mesh_indirect *known,
             .from = vec3_along(point, lane_get(facets->view, i),
                                facets->faces->hit[i].t),
             .pixel = facets->place[i],
-            .at_first = facets->place[i] != NULL,
             .unmirrored = facets->unmirrored[i],
         },
         .weight = facets->worth[i],

@@ -34,7 +34,7 @@ void corner_meet(struct corner *corner, const struct indirect_mesh *mesh,
 void corner_turn(struct corner *corner)
 {
     corner->side = vec3_negate(corner->side);
-    corner->from = vec3_sub(vec3_scale(corner->point, 2), corner->from);
+    corner->from = vec3_opposite(corner->from, corner->point);
 }
 
 struct receiver corner_receiver(const struct corner *corner,

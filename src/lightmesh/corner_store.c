@@ -17,7 +17,7 @@ struct cells {
 };
 
 struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
-                                      const struct camera *camera, bool far,
+                                      const struct camera *camera,
                                       const struct surface_grid *grid,
                                       unsigned threads)
 {
@@ -25,7 +25,6 @@ struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
     *store = (struct corner_store){
         .mesh = mesh,
         .camera = camera,
-        .far = far,
         .grid = grid,
         .threads = threads,
         .cells = memory_new(threads * sizeof(struct cells)),
@@ -126,7 +125,7 @@ static void corner_look(struct corner *corner, const struct corner_store *store,
         /* Far off a cell may be larger than those of the mesh. */
         corner->reach = fmax(corner->reach, length);
         corner->met = corner_shows(store, worker, corner, length);
-        if (store->far)
+        if (like->far_side)
             corner_turn(corner);
     }
 }

@@ -15,7 +15,6 @@ struct table;
 struct corner_store {
     const struct indirect_mesh *mesh;
     const struct camera *camera;
-    bool far; /* sides */
     const struct surface_grid *grid;
     struct table *corners; /* where they are, and beside, by the same keys, */
     struct table *lights;  /* what those know that served */
@@ -24,10 +23,10 @@ struct corner_store {
 };
 
 /* Of a picture that so many workers draw; mesh, camera and grid must outlive
- * it. Of `far` sides it is for receivers that are such: corners are found on
- * the sides that are seen. Frees with corner_store_free. */
+ * it. All who ask it are far sides, whose corners are found on the sides that
+ * are seen, or none is. Frees with corner_store_free. */
 struct corner_store *corner_store_new(const struct indirect_mesh *mesh,
-                                      const struct camera *camera, bool far,
+                                      const struct camera *camera,
                                       const struct surface_grid *grid,
                                       unsigned threads);
 void corner_store_free(struct corner_store *store);

@@ -175,8 +175,7 @@ static rgb gathering_behind(const struct gathering *gathering,
     other.normal = vec3_negate(surface->normal);
     from.lamplight = NULL;
     from.lamps = NULL;
-    from.ray.origin =
-        vec3_sub(vec3_scale(surface->point, 2), gathering->ray.origin);
+    from.ray.origin = vec3_opposite(gathering->ray.origin, surface->point);
     return gathering_share(&from, &other, matters).light;
 }
 

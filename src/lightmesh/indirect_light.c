@@ -54,15 +54,24 @@ void indirect_light_tint(struct indirect_light *light, rgb share)
     }
 }
 
+/* By weights of light, and of openness. */
+static struct indirect_share
+indirect_light_weighted(const struct indirect_light *light,
+                        const double weights[HARMONICS],
+                        const double open[HARMONICS])
+{
+    return (struct indirect_share){
+        harmonics_weighted(&light->light, weights),
+        harmonics_weighted_share(light->open, open),
+    };
+}
+
 struct indirect_share indirect_light_share(const struct indirect_light *light,
                                            vec3 normal)
 {
     double weights[HARMONICS];
     harmonics_weights(normal, 1, weights);
-    return (struct indirect_share){
-        harmonics_weighted(&light->light, weights),
-        harmonics_weighted_share(light->open, weights),
-    };
+    return indirect_light_weighted(light, weights, weights);
 }
 
 struct indirect_share indirect_light_bumped(const struct indirect_light *light,
@@ -70,11 +79,10 @@ struct indirect_share indirect_light_bumped(const struct indirect_light *light,
 {
     double weights[HARMONICS], open[HARMONICS];
     harmonics_bump(side, normal, weights);
+    if (vec3_same(smooth, normal))
+        return indirect_light_weighted(light, weights, weights);
     harmonics_bump(side, smooth, open);
-    return (struct indirect_share){
-        harmonics_weighted(&light->light, weights),
-        harmonics_weighted_share(light->open, open),
-    };
+    return indirect_light_weighted(light, weights, open);
 }
 
 rgb bounce_toned(const struct bounce_tone *tone, rgb light)

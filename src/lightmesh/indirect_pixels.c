@@ -36,9 +36,9 @@ struct indirect_pixels *indirect_pixels_new(const struct indirect_mesh *mesh,
     };
     for (int far = 0; far < 2; far++) {
         pixels->store[far] =
-            corner_store_new(mesh, camera, far, &pixels->grid, threads);
+            corner_store_new(mesh, camera, &pixels->grid, threads);
         pixels->blocks[far] =
-            pixel_blocks_new(mesh, camera, far, size, apart, threads);
+            pixel_blocks_new(mesh, camera, size, apart, threads);
     }
     return pixels;
 }

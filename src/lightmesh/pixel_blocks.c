@@ -42,7 +42,6 @@ struct block {
 struct pixel_blocks {
     const struct indirect_mesh *mesh;
     const struct camera *camera;
-    bool far;    /* sides */
     int size[2]; /* of the picture, pixels */
     int step;    /* pixels from place to place */
     unsigned threads;
@@ -50,7 +49,7 @@ struct pixel_blocks {
 };
 
 struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,
-                                      const struct camera *camera, bool far,
+                                      const struct camera *camera,
                                       const int size[2], double apart,
                                       unsigned threads)
 {
@@ -59,7 +58,6 @@ struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,
     *blocks = (struct pixel_blocks){
         .mesh = mesh,
         .camera = camera,
-        .far = far,
         .size = { size[0], size[1] },
         .step = (int)fmax(apart * block_places, 1),
         .threads = threads,
@@ -194,7 +192,7 @@ static void place_find(struct block *block, const struct pixel_blocks *blocks,
     struct intersection at;
     world_describe(ray, &block->hits[number], &at);
     corner_meet(&block->places[number].corner, blocks->mesh, like, ray, &at);
-    if (blocks->far)
+    if (like->far_side)
         corner_turn(&block->places[number].corner);
     block->places[number].placed = true;
     block->places[number].footprint =
@@ -257,7 +255,7 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
         corner_receiver(&block->places[number].corner, like, coarser);
     struct corner_light *light = &block->places[number].light;
     const struct near_ways *ways =
-        blocks->far ? &blocks->mesh->near_more : &blocks->mesh->near_lone;
+        like->far_side ? &blocks->mesh->near_more : &blocks->mesh->near_lone;
     struct near_share near;
     if (place_is_central(block, blocks, worker, number, &receiver) &&
         block_ask(block, blocks, worker, like, coarser)) {

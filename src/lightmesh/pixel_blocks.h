@@ -13,11 +13,10 @@
 struct pixel_blocks;
 
 /* Of a picture of so many pixels, where corners are so many pixels apart;
- * mesh and camera must outlive it. Of `far` sides it is for receivers that are
- * such, and what the camera sees is before them. Frees with pixel_blocks_free,
- * which takes NULL. */
+ * mesh and camera must outlive it. All who ask it are far sides, or none is.
+ * Frees with pixel_blocks_free, which takes NULL. */
 struct pixel_blocks *pixel_blocks_new(const struct indirect_mesh *mesh,
-                                      const struct camera *camera, bool far,
+                                      const struct camera *camera,
                                       const int size[2], double apart,
                                       unsigned threads);
 void pixel_blocks_free(struct pixel_blocks *blocks);

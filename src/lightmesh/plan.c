@@ -120,13 +120,19 @@ static double plan_rough(const struct survey *survey)
                 gather_rough_most);
 }
 
-/* What is gathered is so much of the picture that it gets more rays: 0 to 1,
- * nothing where it is smooth, for there no eye sees the difference [POV-Ray's
- * table of colours], except in a film. */
+/* How far light is so rough that fewer rays are seen where most of the picture
+ * is gathered: 0 to 1. Where it is smooth no eye sees the difference [POV-Ray's
+ * table of colours]. */
+static double survey_uneven(const struct survey *survey)
+{
+    return fmin(fmax((survey->rough - mostly_smooth) / mostly_rough, 0), 1);
+}
+
+/* What is gathered is so much of the picture, and seen, that it gets more rays:
+ * 0 to 1. Of a film all is. */
 static double plan_mostly(const struct survey *survey, double worth, bool film)
 {
-    double rough = (survey->rough - mostly_smooth) / mostly_rough;
-    double seen = film ? 1 : fmin(fmax(rough, 0), 1);
+    double seen = film ? 1 : survey_uneven(survey);
     return seen * fmin(fmax(worth - gather_mostly, 0), 1);
 }
 
@@ -156,8 +162,8 @@ static double plan_rays(const struct light_mesh_settings *said,
 static double plan_sent(const struct survey *survey)
 {
     const double more = fmax(survey->sent - 1, 0);
-    const bool most = survey->worth > gather_most &&
-                      survey->rough > mostly_smooth + mostly_rough / 2;
+    const bool most =
+        survey->worth > gather_most && survey_uneven(survey) > 0.5;
     return survey->closed || most ? 1 : 1 + gather_shaded * more;
 }
 

@@ -193,12 +193,17 @@ static bool media_scatters_at(const struct media_list *media, vec3 at)
 }
 
 /* What stays in media on the way to the next surface. As POV-Ray's photons do
- * (measured), it grows with the distance from the lamp, against that where the
- * stretch begins; media dim them no sooner than at its end. */
-static void flight_stay(const struct flight *flight,
-                        const struct media_list *media, double distance)
+ * (measured), it stays where media that a container holds scatter, and lights
+ * those of the scene as well, which alone have none; it grows with the distance
+ * from the lamp, against that where the stretch begins; media dim them no
+ * sooner than at its end. */
+static void flight_stay(const struct flight *flight, double distance)
 {
     const struct sending *sending = flight->sending;
+    struct media_list held;
+    media_find(&held, NULL, &flight->inside);
+    if (held.count == 0)
+        return;
     double steps = ceil(distance / sending->step), step = sending->step;
     if (steps > sending->steps) {
         steps = sending->steps;
@@ -213,27 +218,23 @@ static void flight_stay(const struct flight *flight,
         double t = i * step + first * length, gone = flight->gone + t;
         double worth = length * gone / fmax(flight->gone, step);
         vec3 at = ray_point(&flight->ray, t);
-        if (media_scatters_at(media, at))
+        if (media_scatters_at(&held, at))
             flight_keep(flight, IN_MEDIA, at,
                         rgb_scale(flight_flux(flight, gone), worth));
     }
 }
 
-/* Through media to the next surface. As POV-Ray's (measured) photons stay where
- * media that a container holds scatter; then they light those of the scene as
- * well, which alone have none. */
+/* Through media to the next surface. */
 static void flight_drift(struct flight *flight, double distance)
 {
     const struct sending *sending = flight->sending;
     const struct lamp *lamp = flight->row->aim->lamp;
-    struct media_list media, held;
+    struct media_list media;
     media_find(&media, &sending->tracer->scene->media, &flight->inside);
     if (media.count == 0)
         return;
-    media_find(&held, NULL, &flight->inside);
-    if (held.count > 0 && flight->bent && sending->steps >= 1 &&
-        !lamp->light->no_media)
-        flight_stay(flight, &held, distance);
+    if (flight->bent && sending->steps >= 1 && !lamp->light->no_media)
+        flight_stay(flight, distance);
     struct media_way way = { .media = &media,
                              .origin = flight->ray.origin,
                              .direction = flight->ray.direction,
