@@ -35,10 +35,15 @@ struct gather {
     struct lattice_view view;                    /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
-    struct bounce_tone tone; /* of what `indirect` says */
-    gather_close *close;     /* or NULL */
-    double close_near; /* units: it isn't asked about what is nearer to where
-                        * its ray comes from; further rays are sent there */
+    struct bounce_tone tone;              /* of what `indirect` says */
+    gather_close *close;                  /* or NULL */
+    const struct indirect_light *crevice; /* what is known of the crevice that
+                                           * its rays come from, and usual in
+                                           * it; NULL: they come from none */
+    double close_near;  /* units: what is nearer to where its ray comes from is
+                         * in that crevice. `close` isn't asked about it; a
+                         * further ray is sent from there, */
+    double close_least; /* of so many of them at least */
     const void *close_context;
     bool together; /* most rays meet something that few lamps light: shadow rays
                     * of several are quicker */

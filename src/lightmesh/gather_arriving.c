@@ -38,17 +38,48 @@ static struct gathering gathering_further(const struct gathering *gathering,
     };
 }
 
+/* Nearly all rays come from no crevice. */
+static bool gather_is_near(const struct gather *gather,
+                           const struct receiver *receiver)
+{
+    return gather->crevice &&
+           vec3_length(vec3_sub(receiver->point, receiver->from)) <
+               gather->close_near;
+}
+
+/* How many rays more go on from there, for as much as it matters. */
+static double gathering_often(const struct gathering *gathering,
+                              const struct receiver *receiver, double matters)
+{
+    const struct gather *gather = gathering->gather;
+    if (gathering->before > 0)
+        return onward_often * matters;
+    double often =
+        (gather->close ? onward_often_blind : onward_often) * matters;
+    return gather_is_near(gather, receiver) ? fmax(often, gather->close_least)
+                                            : often;
+}
+
+/* What is usual there. */
+static struct indirect_share gathering_usual(const struct gather *gather,
+                                             const struct receiver *receiver)
+{
+    struct indirect_share usual = gather->around;
+    if (gather_is_near(gather, receiver))
+        usual = indirect_light_share(gather->crevice, receiver->side);
+    return usual;
+}
+
 /* One ray more from there, as often as it matters: by how much it differs from
  * what is usual, which may be less than nothing. */
 static struct indirect_share gathering_onward(const struct gathering *gathering,
                                               const struct surface *surface,
+                                              const struct receiver *receiver,
                                               double matters)
 {
     const struct gather *gather = gathering->gather;
-    struct indirect_share share = gather->around;
-    bool blind = gather->close && gathering->before == 0;
-    double often = blind ? onward_often_blind : onward_often;
-    double chance = fmin(often * matters, 1);
+    struct indirect_share share = gathering_usual(gather, receiver);
+    double chance = fmin(gathering_often(gathering, receiver, matters), 1);
     if (gathering->before >= ONWARD_MOST ||
         onward_chance(gather->onwards, gathering->draws, gathering->met) >=
             chance)
@@ -66,15 +97,6 @@ static struct indirect_share gathering_onward(const struct gathering *gathering,
     const struct indirect_share met = { found.light, found.open };
     indirect_share_mix(&share, &met, 1 / chance);
     return share;
-}
-
-/* Few set such a distance, and nearly all hits ask. */
-static bool gather_is_near(const struct gather *gather,
-                           const struct receiver *receiver)
-{
-    return gather->close_near > 0 &&
-           vec3_length(vec3_sub(receiver->point, receiver->from)) <
-               gather->close_near;
 }
 
 bool gather_closes(const struct gather *gather, struct worker *worker,
@@ -152,7 +174,7 @@ static struct indirect_share gathering_share(const struct gathering *gathering,
     struct indirect_share more = gather->around;
     bool found = gathering_known(gathering, &receiver, &more);
     if (!found && gather->onward)
-        more = gathering_onward(gathering, surface, matters);
+        more = gathering_onward(gathering, surface, &receiver, matters);
     else if (!found && gather->indirect)
         more = indirect_mesh_beyond(gather->indirect, gathering->worker,
                                     &receiver);

@@ -248,8 +248,8 @@ static void nearby_own(const struct nearby *nearby, double deep,
                        struct indirect_light *light)
 {
     struct indirect_light own;
-    struct indirect_share gets = near_own_gather(nearby->mesh, nearby->worker,
-                                                 nearby->receiver, deep, &own);
+    struct indirect_share gets = near_own_gather(
+        nearby->mesh, nearby->worker, nearby->receiver, light, deep, &own);
     const double known = rgb_brightness(share->light),
                  brought = rgb_brightness(gets.light),
                  part = brought > known ? fmax(known, 0) / brought : 1;

@@ -13,10 +13,12 @@ struct worker;
 /* What the receiver's side gets, without bumps, and into *light the same before
  * its cosines: by the mesh's `near_own` rays, and by as many picks of what
  * glows, but for what near_glow.h finds. What counts for little, of 1, has one
- * packet of them, which goes all around as well. */
+ * packet of them, which goes all around as well. `known` is what the points
+ * around say of the place. */
 struct indirect_share near_own_gather(const struct indirect_mesh *mesh,
                                       struct worker *worker,
                                       const struct receiver *receiver,
+                                      const struct indirect_light *known,
                                       double counts,
                                       struct indirect_light *light);
 

@@ -244,6 +244,13 @@ static bool block_ask(struct block *block, const struct pixel_blocks *blocks,
     return block->around;
 }
 
+/* Of short rays: more meet something where it is deep. Where few places are in
+ * crevices what gathers wholly itself is so. */
+static double block_deep_from(const struct indirect_mesh *mesh)
+{
+    return mesh->near_own.count < RAY_LANES ? block_deep : near_deep;
+}
+
 static void place_ask(struct block *block, const struct pixel_blocks *blocks,
                       struct worker *worker, int number,
                       const struct receiver *like)
@@ -267,7 +274,7 @@ static void place_ask(struct block *block, const struct pixel_blocks *blocks,
                                     &light->light);
     }
     light->share = near.share;
-    block->places[number].deep = near.met > block_deep;
+    block->places[number].deep = near.met > block_deep_from(blocks->mesh);
     block->places[number].coarser = coarser;
 }
 
