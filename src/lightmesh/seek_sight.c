@@ -6,13 +6,26 @@
 #include "shade/shadow.h"
 #include "shade/surface.h"
 
+/* Whether it is seen through a pane that a point so high above it can't tell
+ * from its own plane. */
+static bool seek_is_beneath(const struct receiver *receiver, double height)
+{
+    const vec3 pane = vec3_sub(receiver->from, receiver->point);
+    return receiver->unmirrored && !receiver->pixel &&
+           vec3_dot(pane, receiver->side) < obstacle_plane * height;
+}
+
 enum sight seek_sight(const struct point_mesh *mesh, struct worker *worker,
                       const struct receiver *receiver,
                       const struct lattice_point *point, vec3 from)
 {
     const struct obstacles *around = point_mesh_around(mesh, worker, point);
-    return obstacles_sight(around, vec3_sub(receiver->point, from),
-                           receiver->side);
+    const vec3 offset = vec3_sub(receiver->point, from);
+    const enum sight sight = obstacles_sight(around, offset, receiver->side);
+    return sight == SIGHT_CLEAR &&
+                   seek_is_beneath(receiver, -vec3_dot(offset, receiver->side))
+               ? SIGHT_UNSURE
+               : sight;
 }
 
 /* Whether nothing is between; `filter`: but what it lets pass, into *through.
