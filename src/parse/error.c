@@ -298,9 +298,7 @@ static const char *error_declared_case(struct parser *p)
     return name && text_equal_nocase(name, token->word->text) ? name : NULL;
 }
 
-/* A string that goes on over lines has most likely taken the quotes of the next
- * one for its end. */
-static void note_long_string(struct parser *p)
+void note_long_string(struct parser *p)
 {
     struct span last = p->last_span;
     if (!last.source || last.source->text[last.offset] != '"' ||

@@ -322,6 +322,7 @@ bool error_unknown_item(struct parser *p, const char *block,
                  word->reserved ? "'%s' is not allowed in %s"
                                 : "unknown item '%s' in %s",
                  word->text, error_block(p, block));
+    note_long_string(p);
     note_unclosed(p);
     note_outside(p, word);
     return false;

@@ -43,6 +43,19 @@ bool parse_float(struct parser *p, double *out)
            value_to_float(p, start, &value, out);
 }
 
+/* The condition with its ')'; NULL: it is too long to be shown. */
+static const char *condition_closed(struct parser *p, struct span open,
+                                    struct span last)
+{
+    size_t length = last.offset + last.length - open.offset;
+    bool shown = open.source == last.source && last.offset >= open.offset &&
+                 length < 60 &&
+                 !memchr(open.source->text + open.offset, '\n', length);
+    return shown ? arena_printf(p->arena, "%.*s)", (int)length,
+                                open.source->text + open.offset)
+                 : NULL;
+}
+
 /* The ')' of a condition: where the line ends without it, what follows is not
  * told of. */
 static bool condition_closes(struct parser *p, struct span open)
@@ -56,7 +69,8 @@ static bool condition_closes(struct parser *p, struct span open)
                 !memchr(next.source->text + end, '\n', next.offset - end);
     if (here || !last.source || p->token.kind == TOKEN_END)
         return expect(p, TOKEN_RPAREN, open);
-    error_at(p, open, NULL, "the '(' of this condition is not closed");
+    error_at(p, open, condition_closed(p, open, last),
+             "the '(' of this condition is not closed");
     p->blamed = p->last_span;
     return false;
 }

@@ -159,6 +159,10 @@ __attribute__((format(printf, 4, 5))) void warning_at(struct parser *p,
 __attribute__((format(printf, 3, 4))) void
 note_at(struct parser *p, struct span span, const char *format, ...);
 
+/* A note if the token before the next one is a string that goes on over lines:
+ * it has most likely taken the quotes of the next string for its end. */
+void note_long_string(struct parser *p);
+
 /* "expected WANTED, found 'x'" at the next token, with "did you mean" from
  * what `where` accepts when the token is a word. */
 bool error_expected(struct parser *p, const char *wanted);
