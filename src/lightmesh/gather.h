@@ -22,6 +22,16 @@ struct virtual_lights;
 typedef bool gather_close(const void *context, struct worker *worker,
                           vec3 place, vec3 normal, vec3 from, rgb *light);
 
+/* A crevice that rays set out from. What they meet close to where they come
+ * from is in it as well: nothing that ends the bounces is asked about that, but
+ * further rays. */
+struct gather_crevice {
+    const struct indirect_light *known; /* of the place that they set out from:
+                                         * usual in it; NULL: it is in none */
+    double near;                        /* units: so close */
+    double least; /* chance, at least, that a ray goes on from there */
+};
+
 struct gather {
     const struct lamps *lamps;
     const struct direct_mesh *direct;
@@ -35,15 +45,9 @@ struct gather {
     struct lattice_view view;                    /* of what its rays meet */
     const struct emitters *emitters;
     const struct ambience *ambience;
-    struct bounce_tone tone;              /* of what `indirect` says */
-    gather_close *close;                  /* or NULL */
-    const struct indirect_light *crevice; /* what is known of the crevice that
-                                           * its rays come from, and usual in
-                                           * it; NULL: they come from none */
-    double close_near;  /* units: what is nearer to where its ray comes from is
-                         * in that crevice. `close` isn't asked about it; a
-                         * further ray is sent from there, */
-    double close_least; /* of so many of them at least */
+    struct bounce_tone tone; /* of what `indirect` says */
+    struct gather_crevice crevice;
+    gather_close *close; /* or NULL */
     const void *close_context;
     bool together; /* most rays meet something that few lamps light: shadow rays
                     * of several are quicker */

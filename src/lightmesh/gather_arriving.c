@@ -42,9 +42,9 @@ static struct gathering gathering_further(const struct gathering *gathering,
 static bool gather_is_near(const struct gather *gather,
                            const struct receiver *receiver)
 {
-    return gather->crevice &&
+    return gather->crevice.known &&
            vec3_length(vec3_sub(receiver->point, receiver->from)) <
-               gather->close_near;
+               gather->crevice.near;
 }
 
 /* How many rays more go on from there, for as much as it matters. */
@@ -52,12 +52,12 @@ static double gathering_often(const struct gathering *gathering,
                               const struct receiver *receiver, double matters)
 {
     const struct gather *gather = gathering->gather;
-    if (gathering->before > 0)
-        return onward_often * matters;
+    const bool first = gathering->before == 0;
     double often =
-        (gather->close ? onward_often_blind : onward_often) * matters;
-    return gather_is_near(gather, receiver) ? fmax(often, gather->close_least)
-                                            : often;
+        (first && gather->close ? onward_often_blind : onward_often) * matters;
+    return first && gather_is_near(gather, receiver)
+               ? fmax(often, gather->crevice.least)
+               : often;
 }
 
 /* What is usual there. */
@@ -66,7 +66,7 @@ static struct indirect_share gathering_usual(const struct gather *gather,
 {
     struct indirect_share usual = gather->around;
     if (gather_is_near(gather, receiver))
-        usual = indirect_light_share(gather->crevice, receiver->side);
+        usual = indirect_light_share(gather->crevice.known, receiver->side);
     return usual;
 }
 

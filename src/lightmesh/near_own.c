@@ -103,9 +103,11 @@ struct indirect_share near_own_gather(const struct indirect_mesh *mesh,
                           .light = light };
     *light = indirect_light_none;
     own.gather.virtual_lights = NULL;
-    own.gather.crevice = known;
-    own.gather.close_near = near_field_reach_at(mesh, receiver);
-    own.gather.close_least = own.rays < RAY_LANES ? 0 : 1;
+    own.gather.crevice = (struct gather_crevice){
+        .known = known,
+        .near = near_field_reach_at(mesh, receiver),
+        .least = own.rays < RAY_LANES ? 0 : 1,
+    };
     own.gather.onwards = &mesh->near_onwards;
     if (counts < own_little && own.rays > RAY_LANES)
         own.rays = RAY_LANES;
