@@ -30,6 +30,43 @@ static bool map_push(struct parser *p, struct map_builder *builder,
     return true;
 }
 
+/* A second number where a colour should be, and what may be meant by it and the
+ * next: 1, 0, 0. */
+static bool map_bare_colour(struct parser *p, struct span first, double red)
+{
+    double part[3] = { red, 0, 0 };
+    for (int i = 1; i < 3 && stream_peek(p)->kind == TOKEN_NUMBER; i++) {
+        if (!parse_float(p, &part[i]))
+            return false;
+        accept(p, TOKEN_COMMA);
+    }
+    return error_at(
+        p, first,
+        arena_printf(p->arena, "rgb <%g, %g, %g>", part[0], part[1], part[2]),
+        "expected a colour, found bare numbers");
+}
+
+/* From one value to another. */
+static bool map_old_entry(struct parser *p, struct map_builder *builder,
+                          struct span number, struct blend_entry *entry,
+                          double end)
+{
+    if (stream_peek(p)->kind == TOKEN_RBRACKET)
+        return error_at(p, number, arena_printf(p->arena, "rgb %g", end),
+                        "expected a colour, found a number");
+    if (stream_peek(p)->kind == TOKEN_NUMBER)
+        return map_bare_colour(p, number, end);
+    if (!parse_colour(p, &entry->colour) || !map_push(p, builder, *entry))
+        return false;
+    accept(p, TOKEN_COMMA);
+    entry->value = end;
+    if (stream_peek(p)->kind == TOKEN_RBRACKET)
+        return error_at(p, stream_span(p), NULL,
+                        "an entry that goes from one number to another "
+                        "has two colours");
+    return parse_colour(p, &entry->colour) && map_push(p, builder, *entry);
+}
+
 /* colour_map_entry = "[" float [","] ( colour | float [","] colour [","] colour
  * )
  *                    "]" .
@@ -54,23 +91,12 @@ static bool parse_colour_map_entry(struct parser *p,
     accept(p, TOKEN_COMMA);
     if (!parse_colour_or_number(p, &entry.colour, &end, &old))
         return false;
+    const struct span number = p->last_span;
     accept(p, TOKEN_COMMA);
-    if (old && stream_peek(p)->kind == TOKEN_RBRACKET)
-        return error_at(p, p->last_span, arena_printf(p->arena, "rgb %g", end),
-                        "expected a colour, found a number");
-    if ((old && !parse_colour(p, &entry.colour)) ||
-        !map_push(p, builder, entry))
+    if (old ? !map_old_entry(p, builder, number, &entry, end)
+            : !map_push(p, builder, entry))
         return false;
     accept(p, TOKEN_COMMA);
-    if (old) {
-        entry.value = end;
-        if (stream_peek(p)->kind == TOKEN_RBRACKET)
-            return error_at(p, stream_span(p), NULL,
-                            "an entry that goes from one number to another "
-                            "has two colours");
-        if (!parse_colour(p, &entry.colour) || !map_push(p, builder, entry))
-            return false;
-    }
     return expect(p, TOKEN_RBRACKET, open);
 }
 

@@ -45,6 +45,17 @@ static inline bool lamp_is_for(const struct lamp *lamp, const struct leaf *leaf)
     return light_is_for(lamp->light, leaf);
 }
 
+/* Whether it lights media on a ray's way to that leaf; NULL: the way ends
+ * nowhere. That the leaf and not what holds the media is of a light_group is
+ * as in POV-Ray (measured). */
+static inline bool lamp_is_for_media(const struct lamp *lamp,
+                                     const struct leaf *end)
+{
+    const struct light *light = lamp->light;
+    return !light->shadowless && !light->no_media &&
+           (end ? light_is_for(light, end) : !light->group);
+}
+
 /* As lamp_look, of any lamp: from it to the point. */
 bool lamp_look_uneven(const struct lamp *lamp, vec3 offset, double distance,
                       struct lamp_view *view);

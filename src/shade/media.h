@@ -31,6 +31,7 @@ struct media_way {
     const struct media_list *media;
     vec3 origin, direction;    /* unit */
     double length;             /* may be infinite */
+    const struct leaf *end;    /* what it ends at; NULL: nothing */
     const struct lamps *lamps; /* that light it; NULL: none, and it doesn't
                                 * glow: shadow rays */
     const struct media_beams *beams;  /* of the lamps; NULL: all of them may

@@ -115,7 +115,7 @@ static int lit_find(const struct media_way *way, struct media_beams *beams,
     for (size_t i = 0; i < way->lamps->count; i++) {
         const struct lamp *lamp = &way->lamps->items[i];
         double from = 0, to = way->length;
-        if (lamp->light->shadowless || lamp->light->no_media)
+        if (!lamp_is_for_media(lamp, way->end))
             continue;
         if (lamp_is_beam(lamp) && !beam_stretch(lamp, way, &from, &to))
             continue;

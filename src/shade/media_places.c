@@ -115,7 +115,7 @@ static void places_lamps(const struct media_way *way, struct places *places)
     for (size_t i = 0; !beams && i < way->lamps->count; i++) {
         const struct lamp *lamp = &way->lamps->items[i];
         const struct media_beam everywhere = { lamp, -HUGE_VAL, HUGE_VAL };
-        if (!lamp->light->shadowless && !lamp->light->no_media)
+        if (lamp_is_for_media(lamp, way->end))
             places_lamp(way, places, &everywhere);
     }
 }

@@ -64,9 +64,11 @@ void path_start(struct path *path, const struct picture_place *place);
 /* What it meets next: false if nothing. */
 bool path_meet(struct path *path, struct intersection *at);
 
-/* Through all that the air is full of, so far (INFINITY: to the end); `fog` is
- * what fogs on the way are like, or NULL if that is yet to be found out. */
-void path_air(struct path *path, double distance, const struct veil *fog);
+/* Through all that the air is full of, so far (INFINITY: to the end), where
+ * `end` is met, or NULL; `fog` is what fogs on the way are like, or NULL if
+ * that is yet to be found out. */
+void path_air(struct path *path, double distance, const struct leaf *end,
+              const struct veil *fog);
 
 /* The same, and to the surface that it meets, or, where `sky` is not NULL, to
  * what it sees of that: false if the ray ends there. */

@@ -74,7 +74,9 @@ static bool lamp_look_at(const struct question *q, size_t number,
 {
     const struct lamp *lamp = &q->set->lamps[number];
     double u[2] = { 0.5, 0.5 };
-    if (q->receiver->leaf && !lamp_is_for(lamp, q->receiver->leaf))
+    const struct leaf *leaf = q->receiver->leaf;
+    if (q->receiver->in_media ? !lamp_is_for_media(lamp, leaf)
+                              : leaf && !lamp_is_for(lamp, leaf))
         return false;
     if (lamp->light->area && q->tracer->quality >= QUALITY_AREA_LIGHTS)
         draw_pair(q->draws, SLOT_PLACES + (uint32_t)number, u);

@@ -24,7 +24,9 @@ struct receiver {
     /* The density of the rays it scatters there; 0: it scatters none. */
     double (*density)(const void *context, vec3 direction);
     const void *context;
-    const struct leaf *leaf; /* what it is on; NULL: any lamp lights it */
+    const struct leaf *leaf; /* what it is on, or, in media, what ends its
+                              * ray; NULL: any lamp lights it, or any of no
+                              * light_group */
     bool straight;           /* photons bring nothing to it */
     bool in_media;           /* that lamps may say they don't light */
 };

@@ -32,6 +32,7 @@ static uint64_t drift_key(const struct draws *draws)
 
 /* The light that comes to the place of the collision, and its new way. */
 static bool drift_turn(struct walk *walk, const struct draws *draws,
+                       const struct leaf *end,
                        const struct collision *collision)
 {
     double u[2];
@@ -43,6 +44,7 @@ static bool drift_turn(struct walk *walk, const struct draws *draws,
         .response = drift_response,
         .density = drift_density,
         .context = collision,
+        .leaf = end,
         .in_media = true,
         .straight = true,
     };
@@ -84,7 +86,8 @@ static struct media_way drift_way(const struct media_list *media,
                                .inside = inside };
 }
 
-bool walk_drift(struct walk *walk, const struct draws *draws, double *distance)
+bool walk_drift(struct walk *walk, const struct draws *draws,
+                const struct leaf *end, double *distance)
 {
     struct media_list media;
     struct collision collision;
@@ -101,7 +104,7 @@ bool walk_drift(struct walk *walk, const struct draws *draws, double *distance)
     if (!collision.scattered)
         return false;
     *distance = collision.t;
-    if (!drift_turn(walk, draws, &collision))
+    if (!drift_turn(walk, draws, end, &collision))
         walk->share = rgb_grey(0);
     return true;
 }

@@ -497,7 +497,8 @@ struct radiance walk_follow(struct walk *walk)
                                  &meeting.crossing.at);
         double distance = met ? meeting.crossing.at.t : (double)INFINITY;
         meeting.draws = draws_within(&walk->draws, (uint64_t)vertex);
-        if (walk_drift(walk, &meeting.draws, &distance)) {
+        const struct leaf *end = met ? meeting.crossing.at.leaf : NULL;
+        if (walk_drift(walk, &meeting.draws, end, &distance)) {
             if (walk_survives(walk, &meeting.draws, vertex))
                 continue;
             break;

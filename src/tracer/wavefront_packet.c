@@ -123,7 +123,8 @@ static void sights_air(struct sights *sights)
         unsigned i = (unsigned)__builtin_ctz(plain);
         if (!sights->path[i])
             sights->path[i] = sights_start(sights, i);
-        path_air(sights->path[i], sights->faces.hit[i].t, sight_fog(sights, i));
+        path_air(sights->path[i], sights->faces.hit[i].t, sights->hits[i].leaf,
+                 sight_fog(sights, i));
     }
 }
 

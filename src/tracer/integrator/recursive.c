@@ -32,7 +32,8 @@ static void path_veil(struct path *path, const struct veil *veil)
     path->clear *= rgb_brightness(veil->through);
 }
 
-static void path_media(struct path *path, double distance)
+static void path_media(struct path *path, double distance,
+                       const struct leaf *end)
 {
     const struct tracer *tracer = path->tracer;
     struct media_list media;
@@ -44,6 +45,7 @@ static void path_media(struct path *path, double distance)
         .origin = path->ray.origin,
         .direction = path->ray.direction,
         .length = distance,
+        .end = end,
         .lamps = tracer->lighting->lamps(tracer->lighting_state),
         .photons = tracer->photons ? photon_map_within(tracer->photons) : NULL,
         .worker = path->worker,
@@ -54,7 +56,8 @@ static void path_media(struct path *path, double distance)
 }
 
 /* Fog is before the media (measured). */
-void path_air(struct path *path, double distance, const struct veil *fog)
+void path_air(struct path *path, double distance, const struct leaf *end,
+              const struct veil *fog)
 {
     const struct tracer *tracer = path->tracer;
     if (fog) {
@@ -68,7 +71,7 @@ void path_air(struct path *path, double distance, const struct veil *fog)
         path_veil(path, &veil);
     }
     if (tracer_misty(tracer))
-        path_media(path, distance);
+        path_media(path, distance, end);
 }
 
 /* Sums the light of all lamps over the layers. */
@@ -313,7 +316,8 @@ bool path_arrive(struct path *path, struct crossing *crossing,
 {
     const struct tracer *tracer = path->tracer;
     const struct settings *settings = &tracer->scene->settings;
-    path_air(path, sky ? (double)INFINITY : crossing->at.t, fog);
+    path_air(path, sky ? (double)INFINITY : crossing->at.t,
+             sky ? NULL : crossing->at.leaf, fog);
     if (sky) {
         double clear;
         path_gather(path, tracer_beyond(tracer, sky, path->straight, &clear));
