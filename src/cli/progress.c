@@ -187,7 +187,12 @@ void progress_interrupted(const struct frames *frames, int index,
     if (frames->animated)
         snprintf(where, sizeof where, " in frame %d",
                  frames_number(frames, index));
-    if (unfinished->name[0])
+    if (unfinished->name[0] && unfinished->share >= 1)
+        fprintf(stderr,
+                "glim: interrupted%s; '%s' has all pixels, some of them still "
+                "rough\n",
+                where, unfinished->name);
+    else if (unfinished->name[0])
         fprintf(stderr,
                 "glim: interrupted%s; '%s' has what was drawn, %.0f %% of the "
                 "pixels\n",

@@ -246,9 +246,9 @@ static bool error_pattern(struct parser *p, const struct word *word,
     if (!takes || !word->reserved || !pattern_find(word->text))
         return false;
     error_at(p, p->token_span, NULL,
-             "a pattern comes first in '%s', and there is one at most; '%s' "
-             "is not",
-             block, word->text);
+             "'%s' stands too late: one pattern, and nothing before it, begins "
+             "'%s'",
+             word->text, block);
     return true;
 }
 
