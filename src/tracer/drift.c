@@ -1,7 +1,9 @@
 /* Media on the way of a path: free paths without bias, and single lamps asked
  * where light is scattered. A lamp's light is scattered as brightly as under
  * POV-Ray, whose lamps give media pi / (pi / 4) times what they would if their
- * light were that of a surface which lights a wall as brightly. */
+ * light were that of a surface which lights a wall as brightly. Media of the
+ * scene have no end: lamps, which don't fade, would fill them with light
+ * without bounds, so a path has their light of one scattering there alone. */
 #include "tracer/drift.h"
 
 #include "base/warp.h"
@@ -48,8 +50,9 @@ static bool drift_turn(struct walk *walk, const struct draws *draws,
         .in_media = true,
         .straight = true,
     };
-    rgb light =
-        direct_lamps(walk->tracer, walk->worker, &receiver, draws, walk->split);
+    rgb light = walk->endless ? rgb_grey(0)
+                              : direct_lamps(walk->tracer, walk->worker,
+                                             &receiver, draws, walk->split);
     light = rgb_add(
         light, direct_emitters(walk->tracer, walk->worker, &receiver, draws));
     walk->light = rgb_add(walk->light, rgb_mul(walk->share, light));
@@ -64,6 +67,7 @@ static bool drift_turn(struct walk *walk, const struct draws *draws,
         rgb_mul(walk->share, rgb_scale(response, 1 / (WARP_PI * density)));
     walk->ray = (struct ray){ receiver.point, direction };
     walk->kind = RAY_REFLECTION;
+    walk->endless = walk->tracer->scene->media.count > 0;
     walk->split = walk->straight = false;
     walk->clear = 0;
     walk->density = density;
