@@ -7,10 +7,13 @@
 #include "scene/photon.h"
 #include "shade/area.h"
 
+enum { COLOURS_MOST = 16 }; /* that have photons of their own */
+
 /* A target, and what it says. */
 struct target {
     struct box3 box;
     const struct photon_flags *flags;
+    int colours; /* that it divides light into; 0: it doesn't */
 };
 
 struct targets {
@@ -25,6 +28,10 @@ static void target_add(struct targets *targets, const struct leaf *leaf,
         return;
     target->box = target->flags ? box3_union(target->box, box) : box;
     target->flags = leaf->look->photons;
+    const struct interior *interior = leaf->look->interior;
+    if (interior && interior->dispersion != 1 &&
+        interior->dispersion_samples > target->colours)
+        target->colours = interior->dispersion_samples;
 }
 
 static void target_add_solid(struct targets *targets, const struct solid *solid,
@@ -127,7 +134,8 @@ static bool aim_new(struct photon_aim *aim, const struct lamp *lamp,
         box = everything;
     double size = vec3_length(vec3_sub(box.high, box.low)) / 2;
     *aim = (struct photon_aim){ .lamp = lamp,
-                                .centre = vec3_mix(box.low, box.high, 0.5) };
+                                .centre = vec3_mix(box.low, box.high, 0.5),
+                                .colours = target->colours };
     if (lamp_is_parallel(lamp))
         aim_beam(aim, size);
     else
@@ -182,7 +190,8 @@ struct photon_aims photon_aims_new(const struct lamps *lamps)
         aims.spacing = sqrt(across / said->count);
     for (size_t i = 0; i < aims.count; i++) {
         struct photon_aim *aim = &aims.items[i];
-        double side = ceil(sqrt(aim->across) / aims.spacing);
+        double colours = fmin(fmax(aim->colours, 1), COLOURS_MOST);
+        double side = ceil(sqrt(aim->across * colours) / aims.spacing);
         aims.photons += side * side;
         aim->side = side >= 1 && side < 1e6 ? (size_t)side : 1;
     }

@@ -15,6 +15,8 @@ struct photon_aim {
     double radius; /* of the disc */
     double extent; /* solid angle, or area of the disc */
     double across; /* area at the target, in units of the wanted spacing */
+    int colours;   /* that the target divides light into: of each there are so
+                    * many, where POV-Ray's photons divide; 0: it doesn't */
     size_t side;   /* photons in a row, and rows */
 };
 

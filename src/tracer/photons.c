@@ -20,6 +20,9 @@ enum {
     ROW_FIRST = 64, /* photons that a row has room for at first */
 };
 
+/* Steps by this share of a circle come near to no place soon. */
+static const double golden = 0.618;
+
 /* Where photons are kept. */
 enum kept { ON_SURFACES, IN_MEDIA, KEPT_KINDS };
 
@@ -266,17 +269,36 @@ static void flight_mirrors(const struct flight *flight,
             flight_mirror(flight, crossing, &surface->layer[i]);
 }
 
+/* Where glass divides light each photon is of one colour, another than its
+ * neighbours are. */
+static rgb flight_divide(struct flight *flight, struct crossing *crossing)
+{
+    int parts = crossing_parts(crossing, &flight->inside);
+    if (parts <= 1)
+        return rgb_grey(1);
+    size_t stride = (size_t)(golden * parts) + 1;
+    int number =
+        (int)((flight->number + stride * flight->row->number) % (size_t)parts);
+    crossing_divide(crossing, &flight->inside, spectrum_place(number, parts));
+    return rgb_scale(spectrum_part(number, parts), parts);
+}
+
 /* On behind the surface, or back from it in total reflection: then the mirror
  * has no part in it. */
-static bool flight_bend(struct flight *flight, struct crossing *crossing,
+static bool flight_pass(struct flight *flight, struct crossing *crossing,
                         bool mirrors)
 {
     const struct surface *surface = &crossing->surface;
     vec3 normal = surface->pane, direction = flight->ray.direction;
-    bool inward = crossing->ior != 1 &&
-                  !crossing_refracted(crossing, direction, normal, &direction);
+    rgb part = rgb_grey(1);
+    bool inward = false;
+    if (crossing->ior != 1) {
+        part = flight_divide(flight, crossing);
+        inward = !crossing_refracted(crossing, direction, normal, &direction);
+    }
     if (mirrors && !inward)
         flight_mirrors(flight, crossing);
+    flight->share = rgb_mul(flight->share, part);
     if (inward) {
         flight->ray.direction = surface_mirrored(crossing->surface.normal,
                                                  flight->ray.direction, normal);
@@ -288,32 +310,6 @@ static bool flight_bend(struct flight *flight, struct crossing *crossing,
     flight->ray.origin = crossing->at.point;
     flight->level += crossing->ior != 1;
     return flight_counts(flight);
-}
-
-/* Where glass divides light it goes on as a photon of each colour. */
-static void flight_divide(const struct flight *flight,
-                          const struct crossing *crossing, int parts,
-                          bool mirrors)
-{
-    for (int i = 0; i < parts; i++) {
-        struct flight branch = *flight;
-        struct crossing own = *crossing;
-        crossing_divide(&own, &branch.inside, spectrum_place(i, parts));
-        branch.share = rgb_mul(branch.share, spectrum_part(i, parts));
-        if (flight_bend(&branch, &own, mirrors && i == 0))
-            flight_follow(&branch);
-    }
-}
-
-static bool flight_pass(struct flight *flight, struct crossing *crossing,
-                        bool mirrors)
-{
-    const int parts =
-        crossing->ior != 1 ? crossing_parts(crossing, &flight->inside) : 1;
-    if (parts <= 1)
-        return flight_bend(flight, crossing, mirrors);
-    flight_divide(flight, crossing, parts, mirrors);
-    return false;
 }
 
 /* False if it ends there. */
