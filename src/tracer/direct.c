@@ -89,8 +89,6 @@ static rgb lamp_unshadowed(const struct question *q, size_t number,
 {
     const struct receiver *receiver = q->receiver;
     const struct light *light = q->set->lamps[number].light;
-    if (receiver->in_media && light->no_media)
-        return rgb_grey(0);
     rgb share = receiver->response(receiver->context, pick->view.direction,
                                    true, !light->shadowless);
     return rgb_scale(rgb_mul(share, light->colour), pick->view.attenuation);

@@ -17,8 +17,7 @@ static rgb drift_response(const void *context, vec3 direction, bool lamp,
                           bool highlights)
 {
     rgb phase = collision_phase(context, direction);
-    if (lamp && !highlights) /* shadowless lamps light no media */
-        return rgb_grey(0);
+    (void)highlights;
     return lamp ? phase : rgb_scale(phase, 0.25);
 }
 
