@@ -231,11 +231,15 @@ static double share_left(double hidden, double all)
 }
 
 /* How far the place is in a crevice, 0 to 1: there many of them do. A picture
- * that has many of these has few rays, for the deepest. */
+ * that has many of these has few rays, for the deepest. Edges of chambers,
+ * where half of them do, are no crevices: the few rays of a place miss a patch
+ * of sun on the floor, and leave dark dashes along them [gallery with a
+ * skylight]. */
 static double share_deep(const struct indirect_mesh *mesh, double met)
 {
-    const double from =
-        mesh->near_own.count > RAY_LANES ? near_shallow : near_full;
+    const double open = mesh->near_own.count > RAY_LANES ? near_shallow
+                                                         : near_full,
+                 from = mesh->gather.close ? near_edge : open;
     return mesh->own_worth *
            fmin(fmax((met - from) / (near_deep - near_shallow), 0), 1);
 }

@@ -302,12 +302,12 @@ static const double near_glow_wide = 2;     /* larger, in reaches: not near */
 static const double near_glow_little = 0.1; /* of other light: few rays do */
 static const double near_glow_worth = 0.5;  /* what is worth less has few */
 /* Of short rays so many meet something in a corner, and in a crevice; where
- * there are many of these, in the deepest. */
-static const double near_shallow = 0.25, near_deep = 0.5, near_full = 0.4;
+ * there are many of these, in the deepest; in chambers more than in an edge. */
+static const double near_shallow = 0.25, near_deep = 0.5, near_full = 0.4,
+                    near_edge = 0.55;
 static const double own_usual = 0.045; /* of places in one: more have less */
 static const double own_little = 0.5;  /* of one: a packet of rays tells that */
-/* What surfaces give is less of the picture: fewer short rays, fewer of these
- * [price]. */
+/* Surfaces give less of the picture: fewer short rays, and of these [price]. */
 static const double near_worth = 0.2, own_worth = 0.12;
 
 static const double bright_times = 4; /* as bright as the mean is bright; */
