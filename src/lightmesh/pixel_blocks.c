@@ -245,7 +245,7 @@ static bool block_ask(struct block *block, const struct pixel_blocks *blocks,
 }
 
 /* Of short rays: more meet something where it is deep. Where few places are in
- * crevices what gathers wholly itself is so. */
+ * crevices that is sooner, as such a place gathers itself. */
 static double block_deep_from(const struct indirect_mesh *mesh)
 {
     return mesh->near_own.count < RAY_LANES ? block_deep : near_deep;

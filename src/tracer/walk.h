@@ -23,7 +23,7 @@ struct walk {
     double density; /* of its direction; 0: scattered by nothing, or mirrored
                      * or bent since */
     vec3 from;      /* where it was scattered */
-    bool endless;   /* media of the scene have scattered it */
+    bool endless;   /* media have scattered it, in a scene that has its own */
 
     double base;  /* that the share is a part of, in the pixel */
     double worth; /* guided: what a ray should bring there; 0: unknown */
